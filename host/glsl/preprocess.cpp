@@ -167,12 +167,6 @@ Span Preprocessed::inside(const Branch& branch) const {
     return {directives[branch.begins].span.end, directives[branch.ends].span.begin};
 }
 
-bool Preprocessed::mentions(std::string_view word) const {
-    return std::ranges::any_of(written, [&](const Token& token) {
-        return token.is_word() && token.is(word) && live_at(token.begin) != Live::no;
-    });
-}
-
 Preprocessed preprocess(std::string_view text, const Known& known) {
     Preprocessed result;
     result.text = text;
@@ -194,6 +188,9 @@ Preprocessed preprocess(std::string_view text, const Known& known) {
             result.not_understood.push_back({token.span(), "GLSL ES puts no names together"});
     result.macros = macros.take();
     result.written = std::move(scanned.tokens);
+    for (const Token& token : result.written)
+        if (token.is_word() && result.live_at(token.begin) != Live::no)
+            result.live_words.insert(token.text);
     result.comments = std::move(scanned.comments);
     result.unclosed_comment = scanned.unclosed;
     return result;

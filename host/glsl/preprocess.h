@@ -12,6 +12,7 @@
 #include <deque>
 #include <string>
 #include <string_view>
+#include <unordered_set>
 #include <vector>
 
 namespace glint {
@@ -55,13 +56,14 @@ struct Preprocessed {
     std::optional<std::size_t> open_condition;  // the first #if that has no end
     std::vector<NotUnderstood> not_understood;
     std::deque<std::string> spellings;
+    std::unordered_set<std::string_view> live_words;  // outside of comments and of dead branches
 
     // Whether a byte's place is compiled.
     Live live_at(std::size_t offset) const;
     // The text between an #if or #else and what ends it.
     Span inside(const Branch& branch) const;
     // Whether a word stands in the text, outside of comments and of dead branches.
-    bool mentions(std::string_view word) const;
+    bool mentions(std::string_view word) const { return live_words.contains(word); }
 };
 
 // `text` must outlive the result, which views into it. Any bytes will do.

@@ -189,6 +189,9 @@ std::string advice_on_types(std::string_view complaint) {
     for (const std::string_view word : kIdle)
         if (complaint == fmt::format("illegal use of reserved word `{}'", word))
             return "; leave it out, GLSL has no such word";
+    if (complaint.ends_with("HS of `^' must be an integer")) return "; a power is pow(a, b)";
+    if (complaint == "operands to relational operators must be scalar and numeric")
+        return "; of vectors compare one component, or write all(lessThan(a, b)) and its like";
     if (complaint.ends_with("of operator % must be an integer"))
         return "; of floats mod(a, b) is left";
     return "";

@@ -2,7 +2,10 @@
 
 #include "render/syntax_error.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <iterator>
 #include <regex>
 #include <span>
 #include <string>
@@ -116,7 +119,38 @@ std::string why_none_fits(const std::string& call, std::span<const Diagnostic> c
     return "";
 }
 
+constexpr std::string_view kIdleComma = "left-hand operand of comma expression has no effect";
+constexpr std::string_view kLastAlone = "; of numbers in brackets the last alone counts: write ";
+
+// Whether both stand on one line.
+bool are_beside(const Diagnostic& one, const Diagnostic& other) {
+    return one.place.file == other.place.file && one.place.line == other.place.line;
+}
+
 }  // namespace
+
+// Of `c = (1.0, 0.0, 0.0, 1.0);` Mesa warns thrice before it complains.
+Diagnostics with_vectors_named(Diagnostics list) {
+    static const std::regex said(
+        R"(^(?:value|initializer) of type (?:float|int) cannot be assigned to variable of type (vec[234])$)");
+    std::smatch m;
+    for (Diagnostic& one : list) {
+        if (!std::regex_match(one.text, m, said)) continue;
+        const std::string type = m[1];
+        const bool has_commas = std::ranges::any_of(list, [&](const Diagnostic& other) {
+            return other.text == kIdleComma && are_beside(one, other);
+        });
+        if (has_commas) one.text += fmt::format("{}{}(\u2026)", kLastAlone, type);
+    }
+    const auto is_told = [&](const Diagnostic& warning) {
+        return warning.text == kIdleComma && std::ranges::any_of(list, [&](const Diagnostic& one) {
+                   return one.text.find(kLastAlone) != one.text.npos && are_beside(one, warning);
+               });
+    };
+    Diagnostics left;
+    std::ranges::remove_copy_if(list, std::back_inserter(left), is_told);
+    return left;
+}
 
 // Mesa makes an error of its own of each function that a call could have meant, whatever its
 // samplers: 47 for texture(). They join the call's, those alone that take what it gives first.

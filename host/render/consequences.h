@@ -14,6 +14,7 @@ inline constexpr std::string_view kCandidates = "; candidates are:", kInMacro = 
 inline constexpr std::string_view kAgain = "; once more";
 
 Diagnostics with_candidates_joined(Diagnostics list);
+Diagnostics with_vectors_named(Diagnostics list);
 Diagnostics without_consequences(const Diagnostics& list);
 
 }  // namespace glint

@@ -216,7 +216,7 @@ Diagnostics read_driver_log(const Scene& scene, const std::string& log, const Pa
     LogReader reader(scene, log, text);
     for (const std::string& line : lines_of(log)) reader.read(line);
     for (Diagnostic& one : reader.list) one.text = in_own_words(one.text);
-    return without_consequences(with_candidates_joined(std::move(reader.list)));
+    return without_consequences(with_vectors_named(with_candidates_joined(std::move(reader.list))));
 }
 
 Diagnostic refusal_without_words(const Scene& scene, const PassText& text) {

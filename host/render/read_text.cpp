@@ -200,7 +200,12 @@ std::string ReadText::help_at(std::string_view words, const Spot& spot) const {
                                                              "ifndef",  "elif",   "else",  "endif"};
         std::string_view word = std::string_view(pass_.text).substr(spot.at);
         word.remove_prefix(std::min(word.find_first_not_of("# \t"), word.size()));
-        return did_you_mean(word.substr(0, word.find_first_of(" \t\n\"(")), kDirectives);
+        word = word.substr(0, word.find_first_of(" \t\n\"(<"));
+        const std::string help = did_you_mean(word, kDirectives);
+        if (!help.empty()) return help;
+        return word == "import" || word == "use" || word == "require"
+                   ? "; a file is taken in by #include \"FILE\""
+                   : "; a comment begins with //";
     }
     return "";
 }

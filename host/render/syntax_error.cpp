@@ -1,6 +1,7 @@
 #include "render/syntax_error.h"
 
 #include "base/diagnostic.h"
+#include "glsl/finding.h"
 #include "glsl/parser.h"
 #include "render/advice.h"
 
@@ -147,6 +148,9 @@ std::optional<SyntaxError> unknown_type(const Complaint& complaint, const Around
     if (!is_before && !is_here) return std::nullopt;
     const std::ptrdiff_t away = is_before ? -1 : 0;
     const std::string_view name = around.word(away);
+    if (is_one_of(name, built_in_functions()))
+        return SyntaxError{fmt::format("'(' is missing behind {}", in_quotes(name)),
+                           around.index(away)};
     std::vector<std::string> known(kTypes.begin(), kTypes.end());
     known.insert(known.end(), {"return", "const", "uniform", "precision", "struct", "else"});
     std::string help = did_you_mean(name, known);
@@ -229,6 +233,12 @@ std::optional<std::string> known_mistake(const Complaint& complaint, const Aroun
     const bool is_keyword_as_name = around.is_known_type(-1) || complaint.expects("a name");
     if (is_keyword_as_name && around.is_reserved(0) && !around.is_on_a_later_line())
         return fmt::format("'{}' is a word of GLSL, and a name is expected", text);
+    const auto is_whole = [](std::string_view word) {
+        return !word.empty() && word.find_first_not_of("0123456789") == word.npos;
+    };
+    if (complaint.expects("a name") && around.is(-1, ",") && is_whole(text) &&
+        is_whole(around.word(-2)))
+        return fmt::format("numbers have a point: write {}.{}", around.word(-2), text);
     const bool is_outside = complaint.expects(std::string(kEnd)) && !around.is_in_function();
     if (is_outside && around.is_name(0))
         return "outside of functions only declarations stand; move this into one, or write its "
@@ -254,6 +264,42 @@ std::optional<SyntaxError> cast(const Around& around) {
     return SyntaxError{
         fmt::format("types are changed by a call here: write {}(\u2026)", around.word(-1)),
         around.index(-2)};
+}
+
+// What C++ has and GLSL has not: `vec3 v(1.0, 2.0, 3.0)`, `float f(float a = 1.0)`, `float& a`.
+std::optional<SyntaxError> of_cpp(const Around& around) {
+    const bool is_value = around.is(-1, "(") && !around.is_name(1);  // else a parameter
+    const bool is_call = around.is(-2, "(") && around.is_known_type(-1) && around.is(0, "(");
+    const std::ptrdiff_t bracket = is_value ? -1 : -2, type = bracket - 2;
+    if ((is_value || is_call) && around.is_in_function() && around.is_name(bracket - 1) &&
+        around.is_known_type(type) && around.begins(type))
+        return SyntaxError{
+            fmt::format("a first value stands behind '=': write {0} {1} = {0}(\u2026)",
+                        around.word(type), around.word(bracket - 1)),
+            around.index(bracket)};
+    if (around.is(0, "=") && around.is_name(-1) && around.is_known_type(-2) && around.open() &&
+        !around.is_in_function())
+        return SyntaxError{
+            "no parameter has a value of its own here; write a second function of this name, "
+            "without it",
+            around.index(0)};
+    if (around.is_known_type(-1) && (around.is(0, "&") || around.is(0, "*")))
+        return SyntaxError{
+            fmt::format("GLSL has no {}; a parameter that is to change is inout {}",
+                        around.is(0, "&") ? "references" : "pointers", around.word(-1)),
+            around.index(0)};
+    return std::nullopt;
+}
+
+// `uniform u_time;`
+std::optional<SyntaxError> without_type(const Around& around) {
+    static constexpr std::array<std::string_view, 5> kHeads = {"uniform", "in", "out", "varying",
+                                                               "attribute"};
+    if (!around.is(0, ";") || !around.is_name(-1) || !is_one_of(around.word(-2), kHeads))
+        return std::nullopt;
+    return SyntaxError{fmt::format("{} has no type; write it, such as {} float {}",
+                                   in_quotes(around.word(-1)), around.word(-2), around.word(-1)),
+                       around.index(-1)};
 }
 
 // `precision mediump float` without its end, before the next declaration.
@@ -342,12 +388,14 @@ std::optional<SyntaxError> read_syntax_error(std::string_view words, std::span<c
     const Around around(tokens, at);
     if (auto error = unmatched_bracket(*complaint, around, tokens)) return error;
     if (at < tokens.size()) {
+        if (auto error = of_cpp(around)) return error;
         if (auto error = unknown_type(*complaint, around)) return error;
         if (auto error = mistyped_keyword(*complaint, around, tokens)) return error;
         if (auto error = inner_function(around)) return error;
         if (auto error = ended_head(around)) return error;
         if (auto error = cast(around)) return error;
         if (auto error = missing_end(around)) return error;
+        if (auto error = without_type(around)) return error;
         if (auto text = known_mistake(*complaint, around)) return SyntaxError{std::move(*text), at};
     }
     return missing(*complaint, around);

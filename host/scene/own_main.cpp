@@ -1,6 +1,7 @@
 #include "scene/own_main.h"
 
 #include "base/diagnostic.h"
+#include "scene/other_language.h"
 
 #include <fmt/format.h>
 
@@ -8,6 +9,7 @@
 #include <cctype>
 #include <cstdlib>
 #include <span>
+#include <utility>
 
 namespace glint {
 namespace {
@@ -224,6 +226,7 @@ std::optional<NoPicture> why_no_colour(const Reading& reading) {
 }
 
 NoPicture why_no_picture(const Reading& reading) {
+    if (auto other = other_language(reading)) return {other->at, std::move(other->text)};
     if (const auto end = missing_semicolon(reading)) return no_semicolon(*end);
     const bool is_plain = writes_plain_colour(reading) || colour_output(reading);
     const std::string own[] = {is_plain ? "main" : "mainImage"};

@@ -111,7 +111,7 @@ Scene Builder::build() {
     check_seconds();
     scene_.has_sound = has_sound(reading_, identifiers_);
     if (const auto strange = find_strange(reading_))
-        error(strange->begin, about_strange(*strange));
+        error(strange->begin, about_strange(reading_, *strange));
     else
         check_image();
     for (const Span span : blanked_)

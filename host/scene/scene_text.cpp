@@ -1,10 +1,12 @@
 #include "scene/scene_text.h"
 
 #include "base/words.h"
+#include "scene/other_language.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace glint {
 Known known_of_scene() {
@@ -214,7 +216,9 @@ std::optional<Token> find_strange(const Reading& reading) {
     return found == reading.tokens.end() ? std::nullopt : std::optional(*found);
 }
 
-std::string about_strange(const Token& token) {
+std::string about_strange(const Reading& reading, const Token& token) {
+    if (token.text == "@")
+        if (auto other = other_language(reading)) return std::move(other->text);
     if (token.text == "`")
         return "GLSL has no `; take out what a text had round it where it was copied";
     const auto lead = static_cast<unsigned char>(token.text.front());

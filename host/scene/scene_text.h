@@ -88,7 +88,7 @@ std::optional<Span> find_wrong_sound(const Reading& reading);
 // The first character that the compiler would see and GLSL does not have.
 std::optional<Token> find_strange(const Reading& reading);
 // What to say of it: many come with a pasted text, and cannot be seen.
-std::string about_strange(const Token& token);
+std::string about_strange(const Reading& reading, const Token& token);
 // That this pass has none, in words, with those there are and the nearest.
 std::string no_pass_function(const Reading& reading, const Pass& pass);
 

@@ -155,6 +155,28 @@ TEST_F(PlantedFaults, TheLoopBudgetIsSharedByNeighbours) {
     look_at({"loop_budget/of_neighbours", scene(400), scene(20)}, {"--case", "loop budget"});
 }
 
+// What is added to a clock of a day is lost, and the loop never ends.
+TEST_F(PlantedFaults, ALoopThatALateClockKeepsFromItsEndUsesItsBudgetUp) {
+    const auto scene = [](const char* from, const char* to, const char* at) {
+        return fmt::format(
+            "void mainImage(out vec4 c, in vec2 p) {{\n"
+            "    float s = 0.0;\n"
+            "    for (float x = {}; x < {}; x += 0.002) s += 1e-3 * sin(9.0 * ({}) + p.x);\n"
+            "    c = vec4(0.5 + s);\n"
+            "}}\n",
+            from, to, at);
+    };
+    const Planted sticks{"loop_budget/of_a_day", scene("iTime", "iTime + 1.0", "x"),
+                         scene("0.0", "1.0", "iTime + x")};
+    look_at(sticks, {"--case", "loop budget"});
+    const std::string file = written("late", sticks.fault);
+    const Json found =
+        report_of(glint({"check", file, "--json", "--size", "32x18", "--case", "loop budget"}),
+                  6)["cases"][0];
+    const std::string note = found["note"];
+    EXPECT_NE(note.find("at time 8.64e+04: a float of that age"), note.npos) << note;
+}
+
 TEST_F(PlantedFaults, AreLedBackToTheFewestTweaksAndTheirOperation) {
     const std::string file = written("fault", planted("corner/high_low_high").fault);
     const Outcome outcome =

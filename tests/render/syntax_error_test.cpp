@@ -86,6 +86,60 @@ TEST_F(SyntaxErrors, NameWhatGlslHasNot) {
               "type before it");
 }
 
+TEST_F(SyntaxErrors, TellWhoThinksOfCppWhatGlslWrites) {
+    const std::string first = "2:7: a first value stands behind '=': write vec3 v = vec3(\u2026)";
+    EXPECT_EQ(first_complaint(in_image("vec3 v(1.0, 2.0, 3.0);")), first);
+    EXPECT_EQ(first_complaint(in_image("vec3 v(p, 2.0);")), first);
+    EXPECT_EQ(first_complaint(in_image("vec3 v(vec2(1.0), 2.0);")), first);
+    EXPECT_EQ(first_complaint("float f(float a, float b = 1.0) { return a * b; }\n" + in_image("")),
+              "1:26: no parameter has a value of its own here; write a second function of this "
+              "name, without it");
+    EXPECT_EQ(first_complaint("float f(const float& a) { return a; }\n" + in_image("")),
+              "1:20: GLSL has no references; a parameter that is to change is inout float");
+    EXPECT_EQ(first_complaint("void f(vec3 *a) {}\n" + in_image("")),
+              "1:13: GLSL has no pointers; a parameter that is to change is inout vec3");
+}
+
+TEST_F(SyntaxErrors, NameATypeABracketAndAPointThatAreMissing) {
+    EXPECT_EQ(first_complaint("uniform speed;\n" + in_image("")),
+              "1:9: 'speed' has no type; write it, such as uniform float speed");
+    EXPECT_EQ(first_complaint(in_image("c = vec4(sin p.x);")), "2:10: '(' is missing behind 'sin'");
+    EXPECT_EQ(first_complaint(in_image("float a = 0,5;")), "2:13: numbers have a point: write 0.5");
+}
+
+TEST_F(SyntaxErrors, SayWhatVectorsAndPowersAreWrittenLike) {
+    EXPECT_EQ(first_complaint(in_image("c = (1.0, 0.0, 0.0, 1.0);")),
+              "2:1: value of type float cannot be assigned to variable of type vec4; of numbers in "
+              "brackets the last alone counts: write vec4(\u2026)");
+    EXPECT_EQ(first_complaint(in_image("vec2 a = (p.x, 1.0);")),
+              "2:1: initializer of type float cannot be assigned to variable of type vec2; of "
+              "numbers in brackets the last alone counts: write vec2(\u2026)");
+    EXPECT_EQ(first_complaint(in_image("c.x = p.x ^ 2.0;")),
+              "2:7: LHS of `^' must be an integer; a power is pow(a, b)");
+    EXPECT_EQ(
+        first_complaint(in_image("if (p > vec2(1)) c = vec4(0);")),
+        "2:5: operands to relational operators must be scalar and numeric; of vectors compare "
+        "one component, or write all(lessThan(a, b)) and its like");
+}
+
+TEST_F(SyntaxErrors, NameTheLanguageOfATextThatIsNoGlsl) {
+    const std::string help =
+        ", and Glint draws GLSL: write it anew, from void mainImage(out vec4 fragColor, in vec2 "
+        "fragCoord)";
+    EXPECT_EQ(first_complaint("@fragment\nfn main(@location(0) uv: vec2<f32>) -> vec4<f32> {\n"
+                              "    return vec4<f32>(uv, 0.0, 1.0);\n}\n"),
+              "1:1: this is WGSL" + help);
+    EXPECT_EQ(first_complaint("shader_type canvas_item;\n"
+                              "void fragment() { COLOR = vec4(UV, 0.0, 1.0); }\n"),
+              "1:1: this is Godot's language" + help);
+    EXPECT_EQ(first_complaint("float4 Pixel(float2 uv : TEXCOORD0) : SV_Target {\n"
+                              "    return float4(uv, 0, 1);\n}\n"),
+              "1:39: this is HLSL" + help);
+    EXPECT_EQ(first_complaint("float fn(float metal) { return metal; }\n").find("this is"),
+              std::string::npos)
+        << "names of GLSL's texts";
+}
+
 TEST_F(SyntaxErrors, NameAKeywordThatIsMistyped) {
     EXPECT_EQ(first_complaint("float f(float x) { retrun x; }\n" + in_image("")),
               "1:20: 'retrun' is no type; did you mean 'return'?");
@@ -108,6 +162,10 @@ TEST_F(SyntaxErrors, TellOfThePreprocessorsLines) {
     EXPECT_EQ(
         first_complaint("#ifdef A\n#else if B\n#endif\n" + in_image("")),
         "2:7: the line's end is expected here; a condition stands behind #if and #elif alone");
+    EXPECT_EQ(first_complaint("# A title\n" + in_image("")),
+              "1:1: Illegal non-directive after #; a comment begins with //");
+    EXPECT_EQ(first_complaint("#import \"a.glsl\"\n" + in_image("")),
+              "1:1: Illegal non-directive after #; a file is taken in by #include \"FILE\"");
     EXPECT_EQ(first_complaint("#define F(x,\n" + in_image("")),
               "1:13: the line ends too soon: a name is missing");
     EXPECT_EQ(first_complaint("#if 1 +\n#endif\n" + in_image("")), "1:8: the line ends too soon");

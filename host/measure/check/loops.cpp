@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <utility>
 
 namespace glint {
@@ -17,6 +18,9 @@ namespace {
 
 constexpr std::size_t kLoopEnds = 16;  // sets of tweaks
 constexpr int kLoopSpread = 8;         // points within all ranges
+// A day, when a float's steps are 0.008 s, and a year. Less than half a step that is added to such
+// a clock is lost, and so a loop may never end.
+constexpr double kLate[] = {86400.0, 31536000.0};  // s
 
 // Of the tweaks those stay that it takes.
 void fail(CheckSubject& subject, const std::function<bool(const Situation&)>& runs_out,
@@ -31,11 +35,22 @@ void fail(CheckSubject& subject, const std::function<bool(const Situation&)>& ru
     as_opened.time = subject.opened().time;
     if (runs_out(as_opened)) at = as_opened;
     runs_out(at);  // the picture is of this
-    const std::string where = where_words(at, subject);
-    result.fail(
-        fmt::format("loops of {} use all {} turns that llvmpipe has for a pixel{}, then "
-                    "end silently; split the work over passes, frames or --tile{}",
-                    pass, kLoopBudget, with_neighbours ? " and its neighbours" : "", where));
+    const bool is_late = at.time >= kLate[0];
+    result.fail(fmt::format(
+        "loops of {} use all {} turns that llvmpipe has for a pixel{}, then end silently; {}{}{}",
+        pass, kLoopBudget, with_neighbours ? " and its neighbours" : "",
+        is_late ? "count turns by an int, and begin a sum at 0"
+                : "split the work over passes, frames or --tile",
+        where_words(at, subject), is_late ? ": a float of that age holds no small steps" : ""));
+}
+
+// Of a scene without a state, which a late clock brings to nothing else.
+std::vector<Situation> late_situations(const CheckSubject& subject) {
+    std::vector<Situation> late;
+    if (subject.stateful() || !subject.reads(Builtin::time)) return late;
+    for (const double time : kLate)
+        late.push_back({subject.opened().values, subject.opened().events, time});
+    return late;
 }
 
 void run_loops(Check& check, CaseResult& result) {
@@ -65,7 +80,9 @@ void run_loops(Check& check, CaseResult& result) {
         if (subject.after_frame) subject.after_frame();  // compiling is no hang
         return with_neighbours;
     };
-    for (const Situation& one : situations(subject, kLoopEnds, kLoopSpread)) {
+    std::vector<Situation> all = situations(subject, kLoopEnds, kLoopSpread);
+    std::ranges::copy(late_situations(subject), std::back_inserter(all));
+    for (const Situation& one : all) {
         if (runs_out(one)) return fail(subject, runs_out, *turns, with_neighbours, one, result);
         if (!is_finite || clock.is_over(0.03)) break;
     }
