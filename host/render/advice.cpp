@@ -189,6 +189,7 @@ std::string advice_on_types(std::string_view complaint) {
     for (const std::string_view word : kIdle)
         if (complaint == fmt::format("illegal use of reserved word `{}'", word))
             return "; leave it out, GLSL has no such word";
+    if (complaint == "illegal use of reserved word `class'") return "; write struct";
     if (complaint.ends_with("HS of `^' must be an integer")) return "; a power is pow(a, b)";
     if (complaint == "operands to relational operators must be scalar and numeric")
         return "; of vectors compare one component, or write all(lessThan(a, b)) and its like";

@@ -83,7 +83,7 @@ bool is_repeated(const Diagnostic& one, const Diagnostic& cause) {
         return one.text.ends_with("' redefined") ||
                one.text.starts_with("`return' with wrong type");
     const bool is_before = one.place.column <= cause.place.column;
-    if (cause.text.ends_with("' redeclared"))
+    if (cause.text.find("' redeclared") != cause.text.npos)
         return one.text.starts_with("cannot initialize uniform") ||
                one.text.starts_with("assignment to read-only variable");
     if (is_before && one.text == cause.text) return true;

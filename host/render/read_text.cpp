@@ -195,6 +195,9 @@ std::string ReadText::help_at(std::string_view words, const Spot& spot) const {
         }
     }
     if (words.starts_with("vector size mismatch")) return help_with_size(spot);
+    if (words.ends_with("' redeclared") && words.starts_with("`") &&
+        find_builtin(words.substr(1, words.find('\'') - 1)))
+        return "; it is the host's, and there already: take this out, or give yours another name";
     if (words.starts_with("Illegal non-directive after #")) {
         static const std::vector<std::string> kDirectives = {"include", "define", "undef", "ifdef",
                                                              "ifndef",  "elif",   "else",  "endif"};
@@ -221,6 +224,20 @@ std::optional<Diagnostic> ReadText::end_in_macro(std::size_t token) const {
                                   read_.macros[read_.uses[end.use].macro].name)};
 }
 
+// `u.x` with `#define x 3.0`: the grammar's words are about what the macro stands for.
+std::string ReadText::beside_macro(std::size_t token) const {
+    for (std::size_t i = token; i < std::min(token + 3, read_.tokens.size()); ++i) {
+        if (read_.tokens[i].use == kNone) continue;
+        const Macro& macro = read_.macros[read_.uses[read_.tokens[i].use].macro];
+        if (!pass_.origin(macro.definition.begin)) continue;
+        return fmt::format(
+            "what the macro {} stands for does not fit here; give the macro a name "
+            "that nothing else has",
+            macro.name);
+    }
+    return "this is not expected here";
+}
+
 Diagnostic ReadText::complaint(Said said) const {
     const auto& [severity, line, column, is_expanded, said_words, token] = said;
     Spot spot = spot_of(said);
@@ -243,6 +260,7 @@ Diagnostic ReadText::complaint(Said said) const {
     if (is_expanded || token)
         syntax = read_syntax_error(words, tokens_as_written(read_, pass_), spot.token);
     if (auto end = syntax ? end_in_macro(syntax->token) : std::nullopt) return *end;
+    if (!syntax && words.starts_with(kSyntaxError)) words = beside_macro(spot.token);
     words = syntax ? syntax->text : said_better(std::move(words)) + help_at(words, spot);
     if (syntax && (syntax->is_behind || syntax->token != spot.token)) {
         where = place_of(*syntax);

@@ -72,6 +72,7 @@ private:
     Spot spot_of(std::size_t token) const;
     Spot spot_of(const Said& said) const;
     Spot expanded_spot(int line, int column) const;
+    std::string beside_macro(std::size_t token) const;
     std::optional<Diagnostic> end_in_macro(std::size_t token) const;
     Place place_of(const SyntaxError& error) const;
     // Where a token stands: those of a macro where it is used.

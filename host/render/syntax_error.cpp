@@ -228,6 +228,8 @@ std::optional<std::string> known_mistake(const Complaint& complaint, const Aroun
     const std::string_view text = around.word(0);
     if (text == "else")
         return "no 'if' stands before this 'else'; several statements of an 'if' stand in { }";
+    if (text == "=" && complaint.expects("';'"))
+        return "what stands left of this '=' is no variable; == compares";
     if (around.is(-1, "=") && (text == ">" || text == "<"))
         return fmt::format("'={0}' is no operator; did you mean '{0}='?", text);
     const bool is_keyword_as_name = around.is_known_type(-1) || complaint.expects("a name");
@@ -291,15 +293,33 @@ std::optional<SyntaxError> of_cpp(const Around& around) {
     return std::nullopt;
 }
 
-// `uniform u_time;`
+// `for (int i = 0, i < 4, i++)`, `for (float x : list)`
+std::optional<std::string> wrong_for(const Around& around, std::span<const Token> tokens) {
+    const std::optional<std::size_t> open = around.open();
+    if (!open || *open == 0 || !tokens[*open - 1].is("for") || !around.is_name(-1))
+        return std::nullopt;
+    static constexpr std::array<std::string_view, 8> kOperators = {
+        "<", ">", "<=", ">=", "!=", "==", "++", "--"};
+    if (around.is(-2, ",") && is_one_of(around.word(0), kOperators))
+        return "the parts of a for stand between ';': for (int i = 0; i < 4; ++i)";
+    if (around.is(0, ":") && around.is_known_type(-2))
+        return "GLSL counts: write for (int i = 0; i < list.length(); ++i), and list[i]";
+    return std::nullopt;
+}
+
+// `uniform u_time;`, `const k = 3.0;`
 std::optional<SyntaxError> without_type(const Around& around) {
     static constexpr std::array<std::string_view, 5> kHeads = {"uniform", "in", "out", "varying",
                                                                "attribute"};
-    if (!around.is(0, ";") || !around.is_name(-1) || !is_one_of(around.word(-2), kHeads))
-        return std::nullopt;
-    return SyntaxError{fmt::format("{} has no type; write it, such as {} float {}",
-                                   in_quotes(around.word(-1)), around.word(-2), around.word(-1)),
-                       around.index(-1)};
+    const bool is_constant = around.is(-1, "const") && around.is_name(0) && around.is(1, "=");
+    const std::ptrdiff_t name = is_constant ? 0 : -1;
+    const bool is_input =
+        around.is(0, ";") && around.is_name(-1) && is_one_of(around.word(-2), kHeads);
+    if (!is_constant && !is_input) return std::nullopt;
+    return SyntaxError{
+        fmt::format("{} has no type; write it, such as {} float {}", in_quotes(around.word(name)),
+                    around.word(name - 1), around.word(name)),
+        around.index(name)};
 }
 
 // `precision mediump float` without its end, before the next declaration.
@@ -339,6 +359,22 @@ bool is_told_of(const Complaint& complaint, const Token& token) {
 }
 
 constexpr std::size_t kLongestNumber = 1000;
+
+// `1.0h`, `0b101`: a number, and a word right behind it.
+std::optional<SyntaxError> number_and_word(std::span<const Token> tokens, std::size_t at) {
+    if (at == 0 || at >= tokens.size() || !tokens[at].is_word()) return std::nullopt;
+    const Token &number = tokens[at - 1], &word = tokens[at];
+    if (number.kind != TokenKind::number || number.span().end != word.begin) return std::nullopt;
+    static const std::regex suffix("[hHlLdD]|lf|LF"), binary("b[01]{1,31}");
+    const std::string text(word.text.substr(0, kLongestNumber));
+    std::string help;
+    if (std::regex_match(text, suffix)) help = fmt::format("; write {}", number.text);
+    if (number.is("0") && std::regex_match(text, binary))
+        help = fmt::format("; write {}", std::stoul(text.substr(1), nullptr, 2));
+    return SyntaxError{
+        fmt::format("{} is no number of GLSL{}", in_quotes(std::string(number.text) + text), help),
+        at - 1};
+}
 
 // A number as other languages write it, where the complaint is or right before it.
 std::optional<SyntaxError> bad_number(std::span<const Token> tokens, std::size_t at) {
@@ -384,6 +420,7 @@ std::optional<SyntaxError> read_syntax_error(std::string_view words, std::span<c
     if (complaint->unexpected == kEnd) at = tokens.size();
     if (at > tokens.size()) return std::nullopt;
     if (auto error = bad_number(tokens, at)) return error;
+    if (auto error = number_and_word(tokens, at)) return error;
     if (at < tokens.size() && !is_told_of(*complaint, tokens[at])) return std::nullopt;
     const Around around(tokens, at);
     if (auto error = unmatched_bracket(*complaint, around, tokens)) return error;
@@ -396,6 +433,7 @@ std::optional<SyntaxError> read_syntax_error(std::string_view words, std::span<c
         if (auto error = cast(around)) return error;
         if (auto error = missing_end(around)) return error;
         if (auto error = without_type(around)) return error;
+        if (auto text = wrong_for(around, tokens)) return SyntaxError{std::move(*text), at};
         if (auto text = known_mistake(*complaint, around)) return SyntaxError{std::move(*text), at};
     }
     return missing(*complaint, around);

@@ -107,6 +107,26 @@ TEST_F(SyntaxErrors, NameATypeABracketAndAPointThatAreMissing) {
     EXPECT_EQ(first_complaint(in_image("float a = 0,5;")), "2:13: numbers have a point: write 0.5");
 }
 
+TEST_F(SyntaxErrors, NameNumbersHeadsOfForAndNamesThatAreTaken) {
+    EXPECT_EQ(first_complaint(in_image("float a = 1.0h;")),
+              "2:11: '1.0h' is no number of GLSL; write 1.0");
+    EXPECT_EQ(first_complaint(in_image("int a = 0b101;")),
+              "2:9: '0b101' is no number of GLSL; write 5");
+    EXPECT_EQ(first_complaint("const k = 3.0;\n" + in_image("")),
+              "1:7: 'k' has no type; write it, such as const float k");
+    EXPECT_EQ(first_complaint(in_image("p.x + p.y = 3.0;")),
+              "2:11: what stands left of this '=' is no variable; == compares");
+    EXPECT_EQ(first_complaint(in_image("for (int i = 0, i < 4, i++) c.x += 1.0;")),
+              "2:19: the parts of a for stand between ';': for (int i = 0; i < 4; ++i)");
+    EXPECT_EQ(first_complaint(in_image("for (float x : list) c.x += x;")),
+              "2:14: GLSL counts: write for (int i = 0; i < list.length(); ++i), and list[i]");
+    EXPECT_EQ(first_complaint("float iTime = 1.0;\n" + in_image("")),
+              "1:7: `iTime' redeclared; it is the host's, and there already: take this out, or "
+              "give yours another name");
+    const std::string told = first_complaint("#define x 3.0\n" + in_image("c = vec4(p.x);"));
+    EXPECT_NE(told.find("what the macro x stands for does not fit here"), told.npos) << told;
+}
+
 TEST_F(SyntaxErrors, SayWhatVectorsAndPowersAreWrittenLike) {
     EXPECT_EQ(first_complaint(in_image("c = (1.0, 0.0, 0.0, 1.0);")),
               "2:1: value of type float cannot be assigned to variable of type vec4; of numbers in "
