@@ -285,7 +285,7 @@ std::optional<SyntaxError> of_cpp(const Around& around) {
             "no parameter has a value of its own here; write a second function of this name, "
             "without it",
             around.index(0)};
-    if (around.is_known_type(-1) && (around.is(0, "&") || around.is(0, "*")))
+    if (around.is_known_type(-1) && around.begins(-1) && (around.is(0, "&") || around.is(0, "*")))
         return SyntaxError{
             fmt::format("GLSL has no {}; a parameter that is to change is inout {}",
                         around.is(0, "&") ? "references" : "pointers", around.word(-1)),
