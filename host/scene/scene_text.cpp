@@ -219,8 +219,7 @@ std::optional<Token> find_strange(const Reading& reading) {
 std::string about_strange(const Reading& reading, const Token& token) {
     if (token.text == "@")
         if (auto other = other_language(reading)) return std::move(other->text);
-    if (token.text == "\"")
-        return "GLSL has no words in quotation marks; take them out";
+    if (token.text == "\"") return "GLSL has no words in quotation marks; take them out";
     if (token.text == "`")
         return "GLSL has no `; take out what a text had round it where it was copied";
     const auto lead = static_cast<unsigned char>(token.text.front());

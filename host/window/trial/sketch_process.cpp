@@ -55,7 +55,7 @@ void warm_up(Context& context) {
 // What compilers take, while nobody waits: a virtual machine may give 2 MB in 5 ms. It stays with
 // the process (allocator.cpp).
 void warm_up_memory() {
-    constexpr std::size_t kTaken = std::size_t{128} << 20, kPage = 4096;
+    constexpr std::size_t kTaken = std::size_t{96} << 20, kPage = 4096;
     if (available_memory() < 4 * kTaken) return;
     const std::unique_ptr<volatile char[]> memory(new volatile char[kTaken]);
     for (std::size_t at = 0; at < kTaken; at += kPage) memory[at] = 0;
