@@ -177,6 +177,23 @@ TEST_F(PlantedFaults, ALoopThatALateClockKeepsFromItsEndUsesItsBudgetUp) {
     EXPECT_NE(note.find("at time 8.64e+04: a float of that age"), note.npos) << note;
 }
 
+// A preset that opens so late is no reason of its own.
+TEST_F(PlantedFaults, ALoopThatIsTooLongAtAnyClockIsNotBlamedOnALateOne) {
+    write("long.frag",
+          "void mainImage(out vec4 c, in vec2 p) {\n"
+          "    float s = 0.0;\n"
+          "    for (int i = 0; i < 70000; i++) s += 1e-6 * fract(p.x * float(i) + iTime);\n"
+          "    c = vec4(s);\n"
+          "}\n");
+    write("long.toml", "scene = \"long.frag\"\ntime = 100000\n");
+    const Json found = report_of(
+        glint({"check", "long.toml", "--json", "--size", "32x18", "--case", "loop budget"}),
+        6)["cases"][0];
+    const std::string note = found["note"];
+    EXPECT_NE(note.find("split the work over passes"), note.npos) << note;
+    EXPECT_EQ(note.find("of that age"), note.npos) << note;
+}
+
 TEST_F(PlantedFaults, AreLedBackToTheFewestTweaksAndTheirOperation) {
     const std::string file = written("fault", planted("corner/high_low_high").fault);
     const Outcome outcome =

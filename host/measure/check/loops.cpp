@@ -35,11 +35,11 @@ void fail(CheckSubject& subject, const std::function<bool(const Situation&)>& ru
     as_opened.time = subject.opened().time;
     if (runs_out(as_opened)) at = as_opened;
     runs_out(at);  // the picture is of this
-    const bool is_late = at.time >= kLate[0];
+    const bool is_late = at.time >= kLate[0] && at.time != subject.opened().time;
     result.fail(fmt::format(
         "loops of {} use all {} turns that llvmpipe has for a pixel{}, then end silently; {}{}{}",
         pass, kLoopBudget, with_neighbours ? " and its neighbours" : "",
-        is_late ? "count turns by an int, and begin a sum at 0"
+        is_late ? "bound the turns by an int, and add small steps to 0 rather than to iTime"
                 : "split the work over passes, frames or --tile",
         where_words(at, subject), is_late ? ": a float of that age holds no small steps" : ""));
 }
