@@ -165,8 +165,17 @@ int Glint::count(std::string_view text) const {
     return found;
 }
 
-bool Glint::says(std::string_view text, int times, double seconds) const {
-    return eventually([&] { return count(text) >= times; }, seconds);
+bool Glint::says(std::string_view text, int times, double seconds) {
+    bool ended = false;  // asked before its last words are read
+    eventually(
+        [&] {
+            ended = !runs();
+            return count(text) >= times || ended;
+        },
+        seconds);
+    if (count(text) >= times) return true;
+    if (ended) ADD_FAILURE() << "glint has ended: code " << end_.code << ", signal " << end_.signal;
+    return false;
 }
 
 std::vector<pid_t> Glint::children() const {

@@ -60,8 +60,8 @@ public:
     End wait(double seconds = kPatience);  // killed then
 
     std::string errors() const;  // stderr so far
-    // Until stderr holds this text `count` times.
-    bool says(std::string_view text, int count = 1, double seconds = kPatience) const;
+    // Waits until stderr holds this text `count` times. That glint ends before is a failure.
+    bool says(std::string_view text, int count = 1, double seconds = kPatience);
     int count(std::string_view text) const;
 
     double cpu_seconds() const;     // user and system, with the processes it has started
