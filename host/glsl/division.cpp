@@ -92,11 +92,9 @@ std::uint32_t zero_in(const Reading& reading, const ZeroConstants& constants, st
 template <typename Visit>
 void each_division(const Reading& reading, const Names& zero_uniforms, Visit visit) {
     const ZeroConstants constants(reading, zero_uniforms);
-    for (std::uint32_t at = 0; at < reading.tokens.size(); ++at) {
-        const bool assigns = reading.tokens[at].is("/=");
-        if (!assigns && !reading.tokens[at].is("/")) continue;
+    for (const std::uint32_t at : reading.places_of({"/", "/="})) {
         const std::uint32_t zero = zero_in(reading, constants, at + 1);
-        if (zero != kNone) visit(at, assigns, zero);
+        if (zero != kNone) visit(at, reading.tokens[at].is("/="), zero);
     }
 }
 

@@ -15,14 +15,8 @@ bool is_member(const std::vector<Token>& tokens, std::uint32_t at) {
 
 }  // namespace
 
-FirstUses::FirstUses(const Reading& reading) : reading_(reading) {
-    const auto& tokens = reading.tokens;
-    for (std::uint32_t at = 0; at < tokens.size(); ++at) {
-        if (tokens[at].is_word() && !is_member(tokens, at))
-            mentions_of_[tokens[at].text].push_back(at);
-        if (tokens[at].is("?") || tokens[at].is("&&") || tokens[at].is("||"))
-            conditions_.push_back(at);
-    }
+FirstUses::FirstUses(const Reading& reading)
+    : reading_(reading), conditions_(reading.places_of({"?", "&&", "||"})) {
     for (const Declaration& declaration : reading.declarations)
         for (const Declarator& one : declaration.names)
             if (declaration.scope == Scope::local)
@@ -42,9 +36,18 @@ FirstUses::FirstUses(const Reading& reading) : reading_(reading) {
         reading.branches, [](const Branch& branch) { return branch.live == Live::maybe; });
 }
 
-bool FirstUses::is_mentioned_again(std::string_view name) const {
-    const auto found = mentions_of_.find(name);
-    return found != mentions_of_.end() && found->second.size() > 1;
+const FirstUses::Places& FirstUses::mentions_of(std::string_view name) {
+    const auto [found, is_new] = mentions_of_.try_emplace(name);
+    if (is_new) {
+        found->second = reading_.places_of({name});
+        std::erase_if(found->second,
+                      [&](std::uint32_t at) { return is_member(reading_.tokens, at); });
+    }
+    return found->second;
+}
+
+bool FirstUses::is_mentioned_again(std::string_view name) {
+    return mentions_of(name).size() > 1;
 }
 
 bool FirstUses::any(const Places& places, TokenRange range) const {
@@ -223,7 +226,7 @@ bool FirstUses::local_is_read(const Declaration& declaration, const Declarator& 
     const auto& statements = reading_.statements;
     if (declaration.statement == kNone) return true;
     const Statement& statement = statements[declaration.statement];
-    mentions_ = &mentions_of_[name];
+    mentions_ = &mentions_of(name);
     is_out_ = false;
     const bool is_head = statement.kind == StatementKind::for_;
     const std::uint32_t block = is_head ? declaration.statement : statement.parent;
@@ -256,7 +259,7 @@ bool FirstUses::out_is_read(std::uint32_t index, std::string_view name) {
     if (const auto found = locals_.find(name);
         found != locals_.end() && any(found->second, function.body))
         return true;
-    mentions_ = &mentions_of_[name];
+    mentions_ = &mentions_of(name);
     is_out_ = true;
     return over_statement(function.first_statement) != Flow::given;
 }

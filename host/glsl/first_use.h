@@ -26,7 +26,7 @@ public:
     // Of an `out` parameter: the end of its function reads it, too.
     bool out_is_read(std::uint32_t function, std::string_view name);
     // Whether the name stands anywhere but where it is declared.
-    bool is_mentioned_again(std::string_view name) const;
+    bool is_mentioned_again(std::string_view name);
     // Whether the end of a function's body can be reached, though some `return` stands in it.
     bool lacks_return(const Function& function) const;
 
@@ -36,6 +36,7 @@ private:
     enum class Flow : std::uint8_t { open, given, read };
     using Places = std::vector<std::uint32_t>;  // tokens, rising
 
+    const Places& mentions_of(std::string_view name);  // as a variable, not as a member
     bool any(const Places& places, TokenRange range) const;
     std::uint32_t next_mention(TokenRange range) const;  // kNone for none
     bool is_event(TokenRange range) const;

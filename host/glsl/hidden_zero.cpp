@@ -34,11 +34,9 @@ public:
             if (one.why_not.empty() && !one.is_result) unset_.insert(one.at);
         for (const Declaration& declaration : reading_.declarations)
             if (declaration.scope == Scope::local && !declaration.is_const) hide_in(declaration);
-        for (const auto& [index, names] : divisors_) {
-            const TokenRange body = reading_.functions[index].body;
-            for (std::uint32_t at = body.begin + 1; at < body.end; ++at)
-                if (reading_.tokens[at].is("=")) hide_assigned(index, at);
-        }
+        each_in_functions({"="}, [&](std::uint32_t index, std::uint32_t at) {
+            if (divisors_.contains(index)) hide_assigned(index, at);
+        });
         for (const Call& call : reading_.calls) hide_arguments(call);
     }
 
@@ -49,19 +47,27 @@ private:
                !(at + 1 < tokens.size() && tokens[at + 1].is("("));
     }
 
+    // Calls visit(function, token) for these signs in the bodies of functions.
+    template <typename Visit>
+    void each_in_functions(std::initializer_list<std::string_view> signs, Visit visit) {
+        std::uint32_t index = 0;
+        for (const std::uint32_t at : reading_.places_of(signs)) {
+            while (index < reading_.functions.size() && reading_.functions[index].body.end <= at)
+                ++index;
+            if (index == reading_.functions.size()) return;
+            if (reading_.functions[index].body.begin < at) visit(index, at);
+        }
+    }
+
     // By function and name, with the kind of all variables that are called so in it.
     void find_divisors() {
-        const auto& tokens = reading_.tokens;
-        for (std::uint32_t index = 0; index < reading_.functions.size(); ++index) {
-            const TokenRange body = reading_.functions[index].body;
-            for (std::uint32_t at = body.begin; at < body.end; ++at) {
-                const bool assigns = tokens[at].is("/=");
-                if (!assigns && !tokens[at].is("/")) continue;
-                const std::uint32_t stop = std::min(body.end, at + 1 + kLongest);
-                add_divisors(index, {at + 1, assigns ? expression_end(reading_, at + 1, stop)
-                                                     : operand_end(reading_, at + 1, stop)});
-            }
-        }
+        each_in_functions({"/", "/="}, [&](std::uint32_t index, std::uint32_t at) {
+            const std::uint32_t end = reading_.functions[index].body.end;
+            const std::uint32_t stop = std::min(end, at + 1 + kLongest);
+            const bool assigns = reading_.tokens[at].is("/=");
+            add_divisors(index, {at + 1, assigns ? expression_end(reading_, at + 1, stop)
+                                                 : operand_end(reading_, at + 1, stop)});
+        });
         std::unordered_set<const NumberKind*> seen;
         for (const Declaration& declaration : reading_.declarations) {
             if (declaration.scope != Scope::local && declaration.scope != Scope::parameter)

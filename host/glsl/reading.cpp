@@ -27,6 +27,17 @@ std::string Reading::spelled(TokenRange range) const {
     return result;
 }
 
+std::vector<std::uint32_t> Reading::places_of(std::initializer_list<std::string_view> words) const {
+    if (places_.empty())
+        for (std::uint32_t at = 0; at < tokens.size(); ++at) places_[tokens[at].text].push_back(at);
+    std::vector<std::uint32_t> all;
+    for (const std::string_view one : words)
+        if (const auto found = places_.find(one); found != places_.end())
+            all.insert(all.end(), found->second.begin(), found->second.end());
+    if (words.size() > 1) std::ranges::sort(all);
+    return all;
+}
+
 std::vector<std::uint32_t> Reading::functions_named(std::string_view name) const {
     std::vector<std::uint32_t> found;
     for (std::uint32_t i = 0; i < functions.size(); ++i)

@@ -11,7 +11,9 @@
 
 #include "glsl/syntax.h"
 
+#include <initializer_list>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 namespace glint {
@@ -36,6 +38,9 @@ struct Reading : Preprocessed, Syntax {
     // As it is spelled, tokens and one space between them.
     std::string spelled(TokenRange range) const;
 
+    // The tokens that are one of these words or signs, rising. All tokens are looked at for the
+    // first question; those that follow are cheap. Not for two threads at once.
+    std::vector<std::uint32_t> places_of(std::initializer_list<std::string_view> words) const;
     // The functions of this name, prototypes too, in the order of the text.
     std::vector<std::uint32_t> functions_named(std::string_view name) const;
     // Whether it has this name and nobody but the host calls it.
@@ -49,6 +54,9 @@ struct Reading : Preprocessed, Syntax {
     std::vector<bool> reached_from(const std::vector<std::string_view>& names) const;
     // The arguments of a call.
     std::vector<TokenRange> arguments_of(const Call& call) const;
+
+private:
+    mutable std::unordered_map<std::string_view, std::vector<std::uint32_t>> places_;
 };
 
 // `text` must outlive the result. Any bytes will do; nothing that a text holds makes it throw, fill

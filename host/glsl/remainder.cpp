@@ -14,7 +14,7 @@
 namespace glint {
 namespace {
 
-constexpr std::ptrdiff_t kMost = 512;  // each is a call that drivers inline
+constexpr std::size_t kMost = 512;  // each is a call that drivers inline
 
 class Finder {
 public:
@@ -22,15 +22,11 @@ public:
         : reading_(reading), edits_(edits), is_constant_(reading.tokens.size()) {}
 
     std::vector<Remainder> find() {
-        const auto signs = std::ranges::count_if(
-            reading_.tokens, [](const Token& one) { return one.is("%") || one.is("%="); });
-        if (signs > kMost) return {};
-        bool any = false;
-        for (std::uint32_t at = 1; at + 1 < count(); ++at) {
-            if (!token(at).is("%") && !token(at).is("%=")) continue;
-            if (!any) find_constants();
-            any = true;
-            if (is_constant_[at]) continue;
+        const std::vector<std::uint32_t> signs = reading_.places_of({"%", "%="});
+        if (signs.empty() || signs.size() > kMost) return {};
+        find_constants();
+        for (const std::uint32_t at : signs) {
+            if (at == 0 || at + 1 == count() || is_constant_[at]) continue;
             Remainder one = token(at).is("%") ? remainder(at) : assignment(at);
             const TokenRange range = one.range;
             if (!range.empty() && !(token(at).is("%") && is_known(range)) && takes(range.begin) &&

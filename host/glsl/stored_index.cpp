@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -24,8 +25,7 @@ struct Step {
 
 class Mender {
 public:
-    Mender(const Reading& reading, Edits& edits)
-        : reading_(reading), edits_(edits), variables_(reading) {}
+    Mender(const Reading& reading, Edits& edits) : reading_(reading), edits_(edits) {}
 
     void mend(const Statement& loop) {
         const TokenRange all = loop.tokens;
@@ -83,7 +83,8 @@ private:
 
     void hide(std::uint32_t at, std::uint32_t function) {
         if (std::ranges::find(hidden_, at) != hidden_.end()) return;  // of a loop in a loop
-        const auto found = variables_.find(at, function);
+        if (!variables_) variables_.emplace(reading_);
+        const auto found = variables_->find(at, function);
         const std::string_view type =
             found.declaration ? reading_.word(found.declaration->type) : std::string_view();
         if (type == "int") edits_.after(at, fmt::format("+{}_i", kHiddenZero));
@@ -93,7 +94,7 @@ private:
 
     const Reading& reading_;
     Edits& edits_;
-    Variables variables_;
+    std::optional<Variables> variables_;  // few texts ask
     std::vector<std::uint32_t> hidden_;
 };
 
