@@ -1,6 +1,9 @@
 // Faults that wait at an end: of the tick, of a tweak's range, of the picture under the mouse.
 #include "report.h"
 
+#include <map>
+#include <utility>
+
 namespace glint::cli::check_ends_test {
 namespace {
 
@@ -231,6 +234,38 @@ TEST_F(CheckEnds, WhatEndsByItselfHasNotAged) {
         "    c = vec4(vec3(texelFetch(s, ivec2(0), 0).x + 0.5 * battery * p.x / "
         "iResolution.x), 1);\n}\n",
         "age 1 day", 0);
+}
+
+// One frame of it at lacunarity=1 takes most of a second, and flashes are looked for in dozens.
+TEST_F(CheckEnds, AnEndlessLoopIsToldInTimeThoughOtherCasesOfSuchFramesAreLeftOut) {
+    write(
+        "s.frag",
+        "uniform float lacunarity; //@ 2 [1, 3]\n"
+        "void mainImage(out vec4 c, in vec2 p) {\n"
+        "    float s = 0.1 * sin(6.2831853 * fract(float(iTick & 0xFFFFFu) / 1048576.0));\n"
+        "    for (float k = 1.0; k < 64.0; k *= lacunarity)\n"
+        "        s += sin(p.x * k + 1.7 * sin(p.y * k)) * cos(p.y * k + sin(0.7 * p.x * k)) / k;\n"
+        "    c = vec4(vec3(0.5 + 0.5 * sin(s)), 1);\n}\n");
+    const Json report =
+        report_of(glint({"check", "s.frag", "--size", "48x32", "--json", "--seconds", "6"}), 6);
+    std::map<std::string, std::pair<std::string, std::string>> told;
+    for (const Json& one : report["cases"]) told[one["case"]] = {one["verdict"], one["note"]};
+    EXPECT_EQ(told["loop budget"].first, "fail");
+    EXPECT_TRUE(told["loop budget"].second.ends_with("; at lacunarity=1")) << report;
+    EXPECT_EQ(told["flashes"].first, "skip") << told["flashes"].second;
+    // The one in which it ran out, and a frame.
+    EXPECT_LT(report["files"][0]["seconds"], 20.0);
+}
+
+TEST_F(CheckEnds, WhatIsWrongAtAnEndWhateverTheAgeNamesIt) {
+    const std::string found = note_of(
+        "uniform float density; //@ 0.3 [0, 2]\n"
+        "void mainImage(out vec4 c, in vec2 p) {\n"
+        "    float d = 1.0 + p.x, air = (1.0 - exp(-density * d)) / density;\n"
+        "    c = vec4(vec3(air * (0.8 + 0.1 * sin(6.2831853 * fract(float(iTick & 0xFFFFFu) / "
+        "131072.0)))), 1);\n}\n",
+        "age 1 year", 6);
+    EXPECT_NE(found.find("at the ends of ranges; at density=0"), std::string::npos) << found;
 }
 
 }  // namespace

@@ -294,13 +294,15 @@ void run_age_of_others(const Age& age, Check& check, CaseResult& result) {
         if (result.verdict == CaseVerdict::fail || !subject.observed().is_finite()) return;
         subject.restore();
         subject.preset.values = sets[i];
-        if (rests_after_an_hour(subject)) continue;
         CaseResult judged{.name = result.name};
-        judge_age(age, check, young_motion(check), judged);
-        if (judged.verdict != CaseVerdict::fail) continue;
+        if (!rests_after_an_hour(subject)) judge_age(age, check, young_motion(check), judged);
+        const bool is_finite = subject.observed().is_finite();
+        if (is_finite && judged.verdict != CaseVerdict::fail) continue;
         result = std::move(judged);
-        const Preset& opened = subject.opened();
-        result.note += where_words({sets[i], opened.events, opened.time}, subject);
+        if (!is_finite) result.note = "at the ends of ranges";  // whatever the age
+        const double time =
+            is_finite || !subject.still ? subject.opened().time : subject.still->time;
+        result.note += where_words({sets[i], subject.opened().events, time}, subject);
     }
 }
 

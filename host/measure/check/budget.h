@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
+#include <utility>
 
 namespace glint {
 
@@ -53,6 +55,26 @@ public:
 private:
     const Check& check_;
     WorkClock work_;
+};
+
+// Thrown by a case's frame, when the case has taken all that it may.
+struct CaseIsOver {
+    double seconds;  // of work
+};
+
+// A case of few frames that each take long would take the seconds of all that follow: while this
+// lives, each frame of the subject may end it. What was asked for by name, which is the first
+// group's, is done to its end.
+class CaseLimit {
+public:
+    CaseLimit(Check& check, const Case& limited);
+    ~CaseLimit() { check_.subject.after_frame = std::move(usual_); }
+    CaseLimit(const CaseLimit&) = delete;
+    CaseLimit& operator=(const CaseLimit&) = delete;
+
+private:
+    Check& check_;
+    std::function<void()> usual_;
 };
 
 // How long the next frame is waited for: as long as a hang may take, but with a limit on all of it

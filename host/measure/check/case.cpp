@@ -3,6 +3,7 @@
 #include "base/stopwatch.h"
 #include "base/temporary_file.h"
 #include "base/words.h"
+#include "measure/check/budget.h"
 #include "measure/check/curves.h"
 #include "measure/probe/faults.h"
 #include "scene/preset_writer.h"
@@ -153,6 +154,19 @@ void find_birthplace(CheckSubject& subject, CaseResult& result) {
     }
 }
 
+void run_in_its_seconds(Check& check, const Case& wanted, CaseResult& result) {
+    const CaseLimit limit(check, wanted);
+    try {
+        wanted.run(check, result);
+    } catch (const CaseIsOver& over) {
+        if (result.verdict == CaseVerdict::fail || !check.subject.observed().is_finite()) return;
+        result.verdict = CaseVerdict::skip;
+        result.note = fmt::format(
+            "left out: its frames took {:.1f} s, its share of --seconds; longer ones reach it",
+            over.seconds);
+    }
+}
+
 }  // namespace
 
 bool is_another_look(const CheckSubject& subject, CaseResult& result) {
@@ -197,6 +211,8 @@ std::vector<Case> all_cases(const CheckSubject& subject, const Effort& effort) {
     end_group();
     add_tweak_cases(list, subject);
     end_group();
+    add_loop_case(list, subject);  // which tells why the frames of others take long
+    end_group();
     add_age_cases(list, subject);
     end_group();
     add_poison_cases(list, subject, effort);
@@ -218,7 +234,6 @@ std::vector<Case> all_cases(const CheckSubject& subject, const Effort& effort) {
     add_endurance_cases(list, subject);
     end_group();
     add_conditioning_case(list, subject);
-    add_loop_case(list, subject);
     end_group();
     add_rounding_case(list);
     end_group();
@@ -233,7 +248,7 @@ CaseResult run_case(Check& check, const Case& wanted) {
     CheckSubject& subject = check.subject;
     subject.restore();
     CaseResult result{.name = wanted.name};
-    wanted.run(check, result);
+    run_in_its_seconds(check, wanted, result);
     const Observed& seen = subject.observed();
     result.nan = seen.nan;
     result.infinite = seen.infinite;

@@ -58,8 +58,9 @@ struct Case {
     std::function<void(Check&, CaseResult&)> run;
     // What it changes of the tweaks, for which the subject has to be fed with uniforms.
     enum class Tweaks { none, one, all, random } tweaks = Tweaks::none;
-    bool shows = true;      // a picture of what it drew tells something
-    std::size_t group = 0;  // cases of a group share the seconds that it may take
+    bool shows = true;         // a picture of what it drew tells something
+    std::size_t group = 0;     // cases of a group share the seconds that it may take
+    bool ends_itself = false;  // looks at the clock after each frame: no limit may cut it short
 };
 
 // In the order in which they run. Which cases there are depends on the scene alone.

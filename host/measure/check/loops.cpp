@@ -22,18 +22,22 @@ constexpr int kLoopSpread = 8;         // points within all ranges
 // a clock is lost, and so a loop may never end.
 constexpr double kLate[] = {86400.0, 31536000.0};  // s
 
-// Of the tweaks those stay that it takes.
+constexpr double kLoopShare = 0.03;
+
+// Of the tweaks those stay that it takes, as far as there is time to tell.
 void fail(CheckSubject& subject, const std::function<bool(const Situation&)>& runs_out,
-          const LoopTurns& turns, bool with_neighbours, Situation at, CaseResult& result) {
+          const CaseClock& clock, const LoopTurns& turns, bool with_neighbours, Situation at,
+          CaseResult& result) {
     const std::string pass = with_neighbours ? "image" : turns.pass();
-    for (std::size_t i = 0; i < at.values.size(); ++i) {
+    for (std::size_t i = 0; i < at.values.size() && !clock.is_over(kLoopShare); ++i) {
+        if (at.values[i] == subject.opened().values[i]) continue;
         const TweakValue tried = std::exchange(at.values[i], subject.opened().values[i]);
-        if (tried != at.values[i] && !runs_out(at)) at.values[i] = tried;
+        if (!runs_out(at)) at.values[i] = tried;
     }
     Situation as_opened = at;
     as_opened.events = subject.opened().events;
     as_opened.time = subject.opened().time;
-    if (runs_out(as_opened)) at = as_opened;
+    if (!clock.is_over(kLoopShare) && runs_out(as_opened)) at = as_opened;
     runs_out(at);  // the picture is of this
     const bool is_late = at.time >= kLate[0] && at.time != subject.opened().time;
     result.fail(fmt::format(
@@ -83,8 +87,9 @@ void run_loops(Check& check, CaseResult& result) {
     std::vector<Situation> all = situations(subject, kLoopEnds, kLoopSpread);
     std::ranges::copy(late_situations(subject), std::back_inserter(all));
     for (const Situation& one : all) {
-        if (runs_out(one)) return fail(subject, runs_out, *turns, with_neighbours, one, result);
-        if (!is_finite || clock.is_over(0.03)) break;
+        if (runs_out(one))
+            return fail(subject, runs_out, clock, *turns, with_neighbours, one, result);
+        if (!is_finite || clock.is_over(kLoopShare)) break;
     }
     result.note = fmt::format("at most {} turns in a pixel{}", most,
                               subject.specialised() && !subject.preset.values.empty()
@@ -101,8 +106,10 @@ void add_loop_case(std::vector<Case>& list, const CheckSubject& subject) {
     // A long text takes too long to compile with all that its tweaks may ask for.
     const bool all_values = subject.is_short() && !subject.scene().tweaks.empty();
     if (has_loops && ends_loops(subject.context()))
-        list.push_back(
-            {"loop budget", run_loops, all_values ? Case::Tweaks::all : Case::Tweaks::none});
+        list.push_back({.name = "loop budget",
+                        .run = run_loops,
+                        .tweaks = all_values ? Case::Tweaks::all : Case::Tweaks::none,
+                        .ends_itself = true});
 }
 
 }  // namespace glint

@@ -124,7 +124,10 @@ void run_worst(Check& check, CaseResult& result) {
         if (clock.is_over(kWorstShare)) break;
         const Point point = search.next();
         search.tell(point, judge(point));
-        if (!check.subject.observed().is_finite()) return;  // a failure of its own
+        if (!check.subject.observed().is_finite()) {  // a failure of its own
+            result.note = "at " + judge.space().words(point, check.subject);
+            return;
+        }
     }
     std::string words;
     const auto tell = [&](WorstJudge::What what, const char* text, double scale) {
