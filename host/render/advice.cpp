@@ -57,6 +57,7 @@ constexpr Foreign kFunctions[] = {{"lerp", "mix"},
                                   {"asuint", "floatBitsToUint"},
                                   {"asint", "floatBitsToInt"}};
 
+constexpr const char* kAssigned = "{} of type {} cannot be assigned to variable of type {}";
 constexpr std::string_view kNoChange = "; GLSL ES makes no int a float by itself: write ";
 
 std::string found(std::span<const Foreign> list, std::string_view name) {
@@ -130,6 +131,11 @@ std::string said_better(std::string complaint) {
     if (complaint.starts_with("GL_OES_shader_io_blocks"))
         return "nothing feeds this block: no vertices stand before a picture; write values of "
                "your own";
+    if (complaint == "error index must be >= 0") return "an index must be >= 0";
+    if (complaint.ends_with(" is not an lvalue")) {
+        complaint.erase(complaint.size() - std::string_view(" is not an lvalue").size());
+        return complaint + " gives a value back: pass a variable";
+    }
     if (complaint == "function name is not an identifier")
         return "this is no function; write an operator, such as *, between it and the '(' behind "
                "it";
@@ -173,9 +179,10 @@ std::string advice_on_types(std::string_view complaint) {
     }
     const auto mistakes = [&](std::string_view given, std::string_view wanted) {
         return complaint == fmt::format(kTypeForAnother, given, wanted) ||
-               complaint.starts_with(
-                   fmt::format("initializer of type {} cannot be assigned to variable of type {}",
-                               given, wanted));
+               complaint == fmt::format(kAssigned, "value", given, wanted) ||
+               complaint.starts_with(fmt::format(kAssigned, "initializer", given, wanted)) ||
+               (complaint.starts_with(fmt::format("`return' with wrong type {},", given)) &&
+                complaint.ends_with(" returning " + std::string(wanted)));
     };
     if (mistakes("int", "uint")) return "; write 1u for 1, or uint(i)";
     if (mistakes("int", "float")) return fmt::format("{}1.0 for 1, or float(i)", kNoChange);
@@ -191,8 +198,6 @@ std::string advice_on_types(std::string_view complaint) {
             return "; leave it out, GLSL has no such word";
     if (complaint == "illegal use of reserved word `class'") return "; write struct";
     if (complaint.ends_with("HS of `^' must be an integer")) return "; a power is pow(a, b)";
-    if (complaint == "operands to relational operators must be scalar and numeric")
-        return "; of vectors compare one component, or write all(lessThan(a, b)) and its like";
     if (complaint.ends_with("of operator % must be an integer"))
         return "; of floats mod(a, b) is left";
     return "";

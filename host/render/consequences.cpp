@@ -59,13 +59,24 @@ constexpr Repeated kRepeated[] = {
     {"redeclaration of `", "cannot initialize uniform", true},
     {"image/sampler variables may only", "opaque variables must be", true},
     {"image/sampler variables may only", "cannot initialize", true},
-    {"image/sampler variables may only", "non-lvalue in assignment", true},
+    {"image/sampler variables may only", "what stands left of this '='", true},
+    {"operand of `!' must be", "initializer of type bool"},
+    {"operand of `!' must be", "value of type bool"},
+    {"Macro names starting with", "Redefinition of macro"},
 };
 
 // A call of what the text was not allowed to define.
 bool calls_refused(const Diagnostic& one, const Diagnostic& cause) {
     constexpr std::string_view kCall = "no matching function for call to `";
     constexpr std::string_view kRefused = "cannot redefine or overload built-in function `";
+    constexpr std::string_view kVariable = "function name `",
+                               kNoFunction = "no function with name '";
+    if (cause.text.starts_with(kVariable) && one.text.starts_with(kNoFunction)) {
+        const std::string_view name = std::string_view(cause.text).substr(kVariable.size());
+        return std::string_view(one.text)
+            .substr(kNoFunction.size())
+            .starts_with(name.substr(0, name.find('\'') + 1));
+    }
     const std::size_t at = cause.text.find(kRefused);
     if (at == cause.text.npos || !one.text.starts_with(kCall)) return false;
     const std::string_view name = std::string_view(cause.text).substr(at + kRefused.size());
@@ -75,11 +86,14 @@ bool calls_refused(const Diagnostic& one, const Diagnostic& cause) {
 }
 
 bool is_repeated(const Diagnostic& one, const Diagnostic& cause) {
-    const bool hides_end =
-        cause.text.starts_with("Illegal non-directive") || cause.text.ends_with(kConditionBehind);
+    const bool hides_end = cause.text.starts_with("Illegal non-directive") ||
+                           cause.text.starts_with("the line ends too soon") ||
+                           cause.text.ends_with(kConditionBehind);
     if (hides_end && one.text == "Unterminated #if") return true;
     if (one.place.file != cause.place.file || one.place.line != cause.place.line) return false;
-    if (cause.text.find(kOtherResult) != cause.text.npos)
+    const bool is_other_head = cause.text.find(kOtherResult) != cause.text.npos ||
+                               cause.text.ends_with("' qualifiers don't match prototype");
+    if (is_other_head)
         return one.text.ends_with("' redefined") ||
                one.text.starts_with("`return' with wrong type");
     const bool is_before = one.place.column <= cause.place.column;
@@ -117,6 +131,21 @@ std::string why_none_fits(const std::string& call, std::span<const Diagnostic> c
     if (std::ranges::any_of(candidates, is_called))
         return "a variable of that name hides the function here; give it another";
     return "";
+}
+
+// "(int, vec2)" of "f(int, vec2)".
+std::string arguments_in(std::string_view call) {
+    const std::size_t open = std::min(call.find('('), call.size());
+    return std::string(call.substr(open, call.find(')', open) + 1 - open));
+}
+
+// Whether a candidate takes what a call gives once its whole numbers are floats.
+bool would_take(const std::string& call, const std::string& candidate) {
+    static const std::regex whole(R"(\bint\b)");
+    const std::string given = arguments_in(call);
+    return !given.empty() && given.find("int") != given.npos && call.ends_with(kCandidates) &&
+           call.find("makes no int") == call.npos &&
+           std::regex_replace(given, whole, "float") == arguments_in(candidate);
 }
 
 constexpr std::string_view kIdleComma = "left-hand operand of comma expression has no effect";
@@ -177,6 +206,12 @@ Diagnostics with_candidates_joined(Diagnostics list) {
             text.replace(text.size() - kCandidates.size(), kCandidates.size(), "; " + why);
             continue;
         }
+        if (std::any_of(begin, end, [&](const Diagnostic& one) {
+                return would_take(joined.back().text, one.text);
+            }))
+            joined.back().text.insert(joined.back().text.size() - kCandidates.size(),
+                                      "; GLSL ES makes no int a float by itself: write 1.0 for 1, "
+                                      "or float(i)");
         for (auto one = begin; one != end; ++one)
             if (!any_fits || fits(*one))
                 joined.back().text += "\n    " + one->text.substr(0, one->text.find(kInMacro));

@@ -1,6 +1,7 @@
 // The GLSL text of one pass: prologue, `main`, then the user's text.
 #pragma once
 
+#include "glsl/finding.h"
 #include "glsl/probe.h"
 #include "glsl/zeros.h"
 #include "scene/passes.h"
@@ -51,6 +52,7 @@ struct PassText {
     std::size_t user_begin = 0, user_end = 0;  // bytes of it that are the user's
     EditMap map;                               // from these to Scene::text
     std::vector<Unset> unset;                  // of Scene::text
+    std::vector<Finding> refused{};            // of Scene::text, where all of it is here
     std::vector<float> numbers;                // of kNumbers, where they are fed
     Probed probed;                             // places are bytes of Scene::text
 

@@ -274,8 +274,11 @@ CompiledPass compile_text(const Preset& preset, std::size_t pass, PassText sourc
     if (!linked.program && !has_errors(said)) {
         said.push_back(refusal_without_words(preset.scene, source));
     }
+    for (const Finding& one : source.refused)
+        if (linked.program)
+            said.push_back({Severity::error, preset.scene.place_at(one.at), one.text});
     CompiledPass result;
-    if (linked.program)
+    if (linked.program && source.refused.empty())
         result = linked_pass(preset, pass, std::move(source), std::move(linked.program), shelf);
     append_once(said, result.diagnostics);
     result.diagnostics = std::move(said);

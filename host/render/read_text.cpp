@@ -2,6 +2,7 @@
 
 #include "base/words.h"
 #include "glsl/finding.h"
+#include "glsl/operands.h"
 #include "glsl/parser.h"
 #include "render/advice.h"
 #include "render/consequences.h"
@@ -184,6 +185,45 @@ std::string ReadText::help_with_size(const Spot& spot) const {
     return "";
 }
 
+// `0.0 < x < 1.0`
+bool ReadText::compares_twice(const Spot& spot) const {
+    static constexpr std::string_view kEnds[] = {";", ",", "&&", "||", "?", "{", "}"};
+    static constexpr std::string_view kCompare[] = {"<", ">", "<=", ">="};
+    int depth = 0, count = 0;
+    for (std::size_t i = spot.token; i < read_.tokens.size() && depth >= 0; ++i) {
+        const std::string_view text = read_.tokens[i].text;
+        if (depth == 0 && is_one_of(text, kEnds)) break;
+        depth += text == "(" || text == "[" ? 1 : text == ")" || text == "]" ? -1 : 0;
+        count += depth == 0 && is_one_of(text, kCompare);
+    }
+    return count > 1;
+}
+
+// What is said of "non-lvalue in assignment".
+std::string ReadText::no_variable(const Spot& spot) const {
+    for (std::size_t i = spot.token; i + 1 < read_.tokens.size(); ++i) {
+        const Token &token = read_.tokens[i], &next = read_.tokens[i + 1];
+        if (is_assignment(token) || token.is(";")) break;
+        const std::set<char> letters(next.text.begin(), next.text.end());
+        if (token.is(".") && next.is_word() && letters.size() < next.text.size())
+            return fmt::format("'{}' names a component twice, and cannot be given a value",
+                               next.text);
+    }
+    return "what stands left of this '=' is no variable";
+}
+
+// Mesa tells it of the whole function.
+Spot ReadText::second_parameter(const Spot& spot, std::string_view name) const {
+    int depth = 0, seen = 0;
+    for (std::size_t i = spot.token; i < read_.tokens.size(); ++i) {
+        const Token& token = read_.tokens[i];
+        depth += token.is("(") ? 1 : token.is(")") ? -1 : 0;
+        if (token.is(")") && depth == 0) break;
+        if (depth == 1 && token.is(name) && ++seen == 2) return spot_of(i);
+    }
+    return spot;
+}
+
 // "; == compares, = gives a value", "; did you mean 'include'?", or "".
 std::string ReadText::help_at(std::string_view words, const Spot& spot) const {
     if (words.ends_with("condition must be scalar boolean")) {
@@ -195,6 +235,10 @@ std::string ReadText::help_at(std::string_view words, const Spot& spot) const {
         }
     }
     if (words.starts_with("vector size mismatch")) return help_with_size(spot);
+    if (words == "operands to relational operators must be scalar and numeric")
+        return compares_twice(spot) ? "; two are compared at a time: write a < b && b < c"
+                                    : "; of vectors compare one component, or write "
+                                      "all(lessThan(a, b)) and its like";
     if (words.ends_with("' redeclared") && words.starts_with("`") &&
         find_builtin(words.substr(1, words.find('\'') - 1)))
         return "; it is the host's, and there already: take this out, or give yours another name";
@@ -241,6 +285,12 @@ std::string ReadText::beside_macro(std::size_t token) const {
 Diagnostic ReadText::complaint(Said said) const {
     const auto& [severity, line, column, is_expanded, said_words, token] = said;
     Spot spot = spot_of(said);
+    constexpr std::string_view kParameter = "parameter `", kTwice = "' redeclared";
+    if (said_words.starts_with(kParameter) && said_words.ends_with(kTwice))
+        spot = second_parameter(
+            spot,
+            std::string_view(said_words)
+                .substr(kParameter.size(), said_words.size() - kParameter.size() - kTwice.size()));
     Place where = place(spot.at);
     if (spot.at >= pass_.user_end) {
         const auto user = pass_.text.begin() + static_cast<long>(pass_.user_begin);
@@ -248,7 +298,7 @@ Diagnostic ReadText::complaint(Said said) const {
         where = scene_.place(line - static_cast<int>(host_lines), column);
     }
     if (column == 0 && !token) where.column = 0;
-    std::string words = said_words;
+    std::string words = said_words == "non-lvalue in assignment" ? no_variable(spot) : said_words;
     if (spot.at >= pass_.user_end && words.starts_with(kSyntaxError)) {
         // Of what stands behind a text with a main() of its own.
         words = kTextEnds;

@@ -4,6 +4,7 @@
 #include "glsl/finding.h"
 #include "glsl/parser.h"
 #include "render/advice.h"
+#include "scene/builtin.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -106,6 +107,7 @@ public:
     std::optional<std::size_t> open() const {
         return open_.empty() ? std::nullopt : std::optional(open_.back());
     }
+    bool is_in_brackets() const { return !open_.empty() && !tokens_[open_.back()].is("{"); }
     bool is_in_function() const { return !open_.empty() && tokens_[open_.front()].is("{"); }
     // Whether something stands before it, on another line.
     bool is_on_a_later_line() const {
@@ -140,8 +142,17 @@ private:
     std::vector<std::size_t> open_;
 };
 
-// "floa x", "const floa x", "floa f(float x)".
-std::optional<SyntaxError> unknown_type(const Complaint& complaint, const Around& around) {
+// Whether a type stands before it somewhere.
+bool is_declared(std::span<const Token> tokens, std::string_view name) {
+    for (std::size_t i = 1; i < tokens.size(); ++i)
+        if (tokens[i].is(name) && tokens[i - 1].is_word() && !is_keyword(tokens[i - 1].text))
+            return true;
+    return false;
+}
+
+// "floa x", "const floa x", "floa f(float x)"; and `texture(wood u)`.
+std::optional<SyntaxError> unknown_type(const Complaint& complaint, const Around& around,
+                                        std::span<const Token> tokens) {
     if (!complaint.unexpected.ends_with("IDENTIFIER")) return std::nullopt;
     const bool is_before = around.is_name(-1) && around.begins(-1) && !complaint.expects("'('");
     const bool is_here = complaint.unexpected == "NEW_IDENTIFIER" && around.is_name(1);
@@ -151,6 +162,12 @@ std::optional<SyntaxError> unknown_type(const Complaint& complaint, const Around
     if (is_one_of(name, built_in_functions()))
         return SyntaxError{fmt::format("'(' is missing behind {}", in_quotes(name)),
                            around.index(away)};
+    const bool is_argument = around.is_in_function() && around.is_in_brackets() &&
+                             (is_declared(tokens, name) || find_builtin(name));
+    if (is_argument)
+        return SyntaxError{
+            fmt::format("')' or ',' is missing before {}", in_quotes(around.word(away + 1))),
+            around.index(away + 1)};
     std::vector<std::string> known(kTypes.begin(), kTypes.end());
     known.insert(known.end(), {"return", "const", "uniform", "precision", "struct", "else"});
     std::string help = did_you_mean(name, known);
@@ -160,14 +177,6 @@ std::optional<SyntaxError> unknown_type(const Complaint& complaint, const Around
                                        name == "and" ? "&&" : "||"),
                            around.index(away)};
     return SyntaxError{fmt::format("{} is no type{}", in_quotes(name), help), around.index(away)};
-}
-
-// Whether a type stands before it somewhere.
-bool is_declared(std::span<const Token> tokens, std::string_view name) {
-    for (std::size_t i = 1; i < tokens.size(); ++i)
-        if (tokens[i].is(name) && tokens[i - 1].is_word() && !is_keyword(tokens[i - 1].text))
-            return true;
-    return false;
 }
 
 // "whlie (i < 3) i++", "fro (int i = 0; …", "cosnt float k = 1.0;".
@@ -180,6 +189,12 @@ std::optional<SyntaxError> mistyped_keyword(const Complaint& complaint, const Ar
         // A function's name may be near one, such as f.
         const bool is_word =
             at < tokens.size() && tokens[at].is_word() && !is_declared(tokens, tokens[at].text);
+        static constexpr std::array<std::string_view, 4> kElseIfs = {"elif", "elseif", "elsif",
+                                                                     "elseIf"};
+        if (is_word && is_one_of(tokens[at].text, kElseIfs))
+            return std::optional(SyntaxError{
+                fmt::format("{} is no word of GLSL; write else if", in_quotes(tokens[at].text)),
+                at});
         const bool begins = is_word && may_declare_behind(at > 0 ? tokens[at - 1].text : "");
         const std::string meant = begins ? nearest(tokens[at].text, known) : "";
         return meant.empty() || meant == tokens[at].text
@@ -362,9 +377,13 @@ constexpr std::size_t kLongestNumber = 1000;
 
 // `1.0h`, `0b101`: a number, and a word right behind it.
 std::optional<SyntaxError> number_and_word(std::span<const Token> tokens, std::size_t at) {
-    if (at == 0 || at >= tokens.size() || !tokens[at].is_word()) return std::nullopt;
+    const auto stands_at = [&](std::size_t i) {
+        return i > 0 && i < tokens.size() && tokens[i].is_word() &&
+               tokens[i - 1].kind == TokenKind::number && tokens[i - 1].end == tokens[i].begin;
+    };
+    if (stands_at(at + 1)) ++at;
+    if (!stands_at(at)) return std::nullopt;
     const Token &number = tokens[at - 1], &word = tokens[at];
-    if (number.kind != TokenKind::number || number.span().end != word.begin) return std::nullopt;
     static const std::regex suffix("[hHlLdD]|lf|LF"), binary("b[01]{1,31}");
     const std::string text(word.text.substr(0, kLongestNumber));
     std::string help;
@@ -426,7 +445,7 @@ std::optional<SyntaxError> read_syntax_error(std::string_view words, std::span<c
     if (auto error = unmatched_bracket(*complaint, around, tokens)) return error;
     if (at < tokens.size()) {
         if (auto error = of_cpp(around)) return error;
-        if (auto error = unknown_type(*complaint, around)) return error;
+        if (auto error = unknown_type(*complaint, around, tokens)) return error;
         if (auto error = mistyped_keyword(*complaint, around, tokens)) return error;
         if (auto error = inner_function(around)) return error;
         if (auto error = ended_head(around)) return error;

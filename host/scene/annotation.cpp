@@ -2,6 +2,7 @@
 #include "scene/annotation.h"
 
 #include "base/words.h"
+#include "glsl/token.h"
 #include "scene/annotation_words.h"
 
 #include <fmt/format.h>
@@ -27,15 +28,15 @@ struct TweakParser {
     Words words;
     std::optional<Written> initial, reference;
     std::size_t safe_at = 0, range_at = 0, log_at = 0, step_at = 0, menu_at = 0;
-    bool described = false;
-    std::unordered_set<std::string_view> options;  // those seen
+    bool described = false, has_no_default = false;  // the latter as is told
+    std::unordered_set<std::string_view> options;    // those seen
 
     bool is_number_type() const { return tweak.type != TweakType::bool1 && tweak.names.empty(); }
 
     void parse();
     void parse_item();
     void parse_word(std::size_t at);
-    void parse_option(std::string_view key, std::size_t at);
+    void parse_option(std::string_view key, std::size_t at, bool is_empty);
     void parse_range();
     void parse_menu();
     void check();
@@ -46,6 +47,15 @@ struct TweakParser {
 
 const std::vector<std::string> kTweakWords = {"log",      "unit",      "step",   "group", "quality",
                                               "norandom", "reference", "second", "safe"};
+
+constexpr std::string_view kConstructors[] = {"float", "int",  "bool", "vec2",
+                                              "vec3",  "vec4", "uint"};
+
+bool fills_sampler(std::string_view word) {
+    constexpr std::string_view kFillers[] = {"pass",   "buffer", "image", "cube",
+                                             "volume", "sound",  "noise", "keyboard"};
+    return is_one_of(word, kFillers);
+}
 
 void TweakParser::parse() {
     while (!words.done()) parse_item();
@@ -89,16 +99,31 @@ void TweakParser::parse_item() {
 }
 
 void TweakParser::parse_word(std::size_t at) {
-    Words after = words;  // bare and accept never complain
+    Words after = words;  // bare and equals never complain
     const std::string_view word = after.bare(",[]{}()\"=");
-    if (after.accept('=')) {
+    if (const auto equals = after.equals(); equals != Words::Equals::none) {
         words = after;
-        return parse_option(word, at);
+        return parse_option(word, at, equals == Words::Equals::alone);
     }
     if (word == "log" || word == "quality" || word == "norandom") {
         words = after;
         if (word == "log") log_at = at;
         (word == "log" ? tweak.log : word == "quality" ? tweak.quality : tweak.no_random) = true;
+        return;
+    }
+    if (!initial && fills_sampler(word) && words.ahead().rest().find('{') == std::string::npos) {
+        words.complain(
+            at, fmt::format("{} fills a sampler; declare one, such as uniform sampler2D", word));
+        words.rest();
+        has_no_default = true;
+        return;
+    }
+    if (!initial && after.peek() == '(' && is_one_of(word, kConstructors)) {
+        words = after;
+        words.value();
+        words.complain(at, fmt::format("a default is numbers alone; write {} without {}",
+                                       expected_value(tweak), in_quotes(word)));
+        has_no_default = true;
         return;
     }
     if (!initial) {
@@ -112,10 +137,14 @@ void TweakParser::parse_word(std::size_t at) {
                         in_quotes(word), did_you_mean(word, kTweakWords)));
 }
 
-void TweakParser::parse_option(std::string_view key, std::size_t at) {
+void TweakParser::parse_option(std::string_view key, std::size_t at, bool is_empty) {
     const std::size_t value_at = words.at();
-    const bool is_empty = words.done();
     if (!options.insert(key).second) words.complain(at, fmt::format("a second {}=; keep one", key));
+    constexpr std::string_view kKeys[] = {"unit", "group", "second", "safe", "reference"};
+    if (is_empty && is_one_of(key, kKeys))
+        return words.complain(at, fmt::format("{0}= has no value; write it right behind, as in "
+                                              "{0}={1}",
+                                              key, key == "unit" ? "m" : "…"));
     if (key == "unit") {
         tweak.unit = words.text();
     } else if (key == "group") {
@@ -133,9 +162,13 @@ void TweakParser::parse_option(std::string_view key, std::size_t at) {
         tweak.second = words.text();
     } else if (key == "safe") {
         safe_at = value_at;
-        const bool is_list = words.accept('[');
-        tweak.safe = is_list ? parse_bounds(words.list(']', value_at)) : std::nullopt;
-        if (!is_list) words.text();
+        if (words.accept('[')) {
+            const auto inside = words.list(']', value_at);
+            if (!inside) return;
+            tweak.safe = parse_bounds(*inside);
+        } else {
+            words.text();
+        }
         if (!tweak.safe)
             words.complain(value_at, "safe is two numbers, the smaller first; write safe=[0, 0.8]");
         return;
@@ -146,15 +179,15 @@ void TweakParser::parse_option(std::string_view key, std::size_t at) {
                                        "step=, group=, reference=, second= and safe={}",
                                        in_quotes(key), did_you_mean(key, kTweakWords)));
         words.text();
-        return;
     }
-    if (is_empty) words.complain(at, fmt::format("{}= has no value", key));
 }
 
 void TweakParser::parse_range() {
     const std::size_t at = words.at();
     words.accept('[');
-    const auto bounds = split(words.list(']', at));
+    const auto inside = words.list(']', at);
+    if (!inside) return;
+    const auto bounds = split(*inside);
     if (tweak.min) words.complain(at, "a second range; keep one");
     range_at = at;
     const auto min = parse_number(bounds.front());
@@ -172,7 +205,9 @@ void TweakParser::parse_range() {
 void TweakParser::parse_menu() {
     const std::size_t at = words.at();
     words.accept('{');
-    const auto names = split(words.list('}', at));
+    const auto inside = words.list('}', at);
+    if (!inside) return;
+    const auto names = split(*inside);
     if (menu_at != 0) words.complain(at, "a second menu; keep one");
     menu_at = at + 1;
     if (tweak.type != TweakType::int1)
@@ -197,7 +232,9 @@ std::optional<TweakValue> TweakParser::resolve(const Written& written, std::stri
             written.at,
             fmt::format("{} is {}; this {} is {}{}", what, in_quotes(written.text),
                         tweak.names.empty() ? glsl_name(tweak.type) : "menu", expected_value(any),
-                        did_you_mean(unquoted(written.text), tweak.names)));
+                        parse_number(written.text)
+                            ? ""
+                            : did_you_mean(unquoted(written.text), tweak.names)));
     }
     return value;
 }
@@ -236,10 +273,10 @@ void TweakParser::check() {
     if (tweak.step != std::floor(tweak.step) && tweak.type == TweakType::int1)
         words.complain(step_at, "the step of an int is a whole number");
 
-    if (!initial) {
+    if (!initial && !has_no_default) {
         words.complain(
             0, fmt::format("the default is missing; write {} first", expected_value(tweak)));
-    } else if (const auto value = resolve(*initial, "the default")) {
+    } else if (const auto value = initial ? resolve(*initial, "the default") : std::nullopt) {
         tweak.initial = *value;
         tweak.is_colour = unquoted(initial->text).starts_with('#');
         if (!in_range(*value))

@@ -46,6 +46,14 @@ bool Words::accept(char c) {
     return true;
 }
 
+Words::Equals Words::equals() {
+    const bool is_spaced = at_ > 0 && is_space(text_[at_ - 1]);
+    if (peek() != '=') return Equals::none;
+    const std::size_t behind = at_ + 1;
+    accept('=');
+    return done() || (!is_spaced && at_ > behind) ? Equals::alone : Equals::with_value;
+}
+
 std::string_view Words::bare(std::string_view stops) {
     const std::size_t begin = at_;
     while (!done() && !is_space(text_[at_]) && stops.find(text_[at_]) == std::string_view::npos)
@@ -70,16 +78,23 @@ std::string Words::text() {
     return peek() == '"' ? quoted_text() : std::string(bare(""));
 }
 
-std::string_view Words::list(char close, std::size_t open_at) {
+std::optional<std::string_view> Words::list(char close, std::size_t open_at) {
     const std::size_t begin = at_;
     const std::size_t end = text_.find(close, begin);
-    if (end == std::string_view::npos)
+    if (end == std::string_view::npos) {
         complain(open_at, fmt::format("this bracket is never closed; end it with {}", close));
-    at_ = std::min(end, text_.size());
+        rest();
+        return std::nullopt;
+    }
+    at_ = end;
     const std::string_view inside = from(begin);
-    at_ = std::min(at_ + 1, text_.size());
+    ++at_;
     skip_space();
     return inside;
+}
+
+std::string_view Words::rest() {
+    return text_.substr(std::exchange(at_, text_.size()));
 }
 
 std::string_view Words::value() {

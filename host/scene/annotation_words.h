@@ -28,14 +28,20 @@ public:
     void complain(std::size_t at, std::string text);
 
     bool accept(char c);
+    // `=` right behind a word, and how: `unit=m` and `unit = m` have a value, `unit= m` has none.
+    enum class Equals { none, with_value, alone };
+    Equals equals();
     // Up to white space or one of the stops; may be empty.
     std::string_view bare(std::string_view stops);
     // From the quote here to the next one; all of the rest, with a complaint, when there is none.
     std::string quoted_text();
     // A quoted text or a bare one.
     std::string text();
-    // What stands up to `close`, for a list whose bracket at `open_at` has just been accepted.
-    std::string_view list(char close, std::size_t open_at);
+    // What stands up to `close`, for a list whose bracket at `open_at` has just been accepted;
+    // nothing, with a complaint, when that does not come.
+    std::optional<std::string_view> list(char close, std::size_t open_at);
+    // What is left; leaves it at the end.
+    std::string_view rest();
     // A word, a quoted text with its quotes, or numbers with commas, in parentheses or not.
     std::string_view value();
 

@@ -192,7 +192,9 @@ void SamplerParser::parse_noise_words() {
         words = ahead;
     }
     const std::string wrong = parse_noise(text, result.sampler);
-    if (!wrong.empty()) words.complain(at, wrong);
+    if (wrong.empty()) return;
+    words.complain(at, wrong);
+    if (parse_lengths(more)) words = ahead;  // no second complaint
 }
 
 std::vector<std::string> SamplerParser::known_options() const {
@@ -210,8 +212,14 @@ void SamplerParser::parse_option(std::string_view key, std::size_t at) {
     const auto known = known_options();
     if (!options.insert(key).second) words.complain(at, fmt::format("a second {}=; keep one", key));
     const std::size_t value_at = words.at();
-    const bool is_list = words.accept('[');
-    const std::string value(is_list ? std::string(words.list(']', value_at)) : words.text());
+    std::string value;
+    if (words.accept('[')) {
+        const auto inside = words.list(']', value_at);
+        if (!inside) return;
+        value = *inside;
+    } else {
+        value = words.text();
+    }
     const auto complain = [&](std::string_view what) {
         words.complain(value_at, fmt::format("{} is {}; write {}", key, in_quotes(value), what));
     };

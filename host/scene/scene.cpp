@@ -232,18 +232,18 @@ void Builder::add_annotated(const Uniform& declaration, Span note) {
     const std::size_t at = declaration.span.begin;
     if (declaration.is_block)
         return error(at, "an annotation is for one plain uniform, not for a block or struct");
+    if (declaration.no_semicolon) return error(*declaration.no_semicolon, "';' is missing here");
     if (declaration.is_broken || declaration.names.empty())
         return error(at, "this declaration is not understood; write uniform TYPE NAME; //@ …");
     if (declaration.names.size() > 1)
         return error(declaration.names[1].span.begin,
                      "an annotation is for one uniform; declare each on a line of its own");
     const UniformName& declarator = declaration.names.front();
+    const std::size_t name_at = declarator.span.begin;
     if (declarator.is_array)
-        return error(declarator.span.begin,
-                     "an annotation is for one plain uniform, not for an array");
+        return error(name_at, "an annotation is for one plain uniform, not for an array");
     if (declarator.has_initial)
-        return error(declarator.span.begin,
-                     "GLSL ES gives uniforms no value here; write the default behind //@");
+        return error(name_at, "GLSL ES gives uniforms no value here; write the default behind //@");
     const auto tweak = kTweakTypeNames.find(declaration.type);
     const auto sampler = kSamplerTypeNames.find(declaration.type);
     if (!tweak && !sampler)
@@ -253,10 +253,9 @@ void Builder::add_annotated(const Uniform& declaration, Span note) {
                                  in_quotes(declaration.type)));
     const HostUniform* builtin = find_builtin(declarator.name);
     if (builtin && !(sampler && builtin->type == "sampler"))
-        return error(declarator.span.begin,
-                     fmt::format("{} is the host's own; give this uniform another name, or take "
-                                 "the annotation away",
-                                 in_quotes(declarator.name)));
+        return error(name_at, fmt::format("{} is the host's own; give this uniform another name, "
+                                          "or take the annotation away",
+                                          in_quotes(declarator.name)));
     if (!claim_name(declarator, sampler ? tab_of(declaration, note) : "")) return;
     if (tweak) return add_tweak(declaration, *tweak, note);
     add_sampler(declaration, *sampler, note);

@@ -77,6 +77,20 @@ Uniform uniform_of(const Reading& reading, const Declaration& declaration) {
 
 }  // namespace
 
+// Behind `uniform float a`, where a line ends so.
+static std::optional<std::size_t> missing_semicolon(const Reading& reading, TokenRange range) {
+    constexpr std::uint32_t kLeast = 3;  // words
+    std::uint32_t at = range.begin;
+    while (at < range.end && reading.tokens[at].is_word()) {
+        const std::size_t end = reading.place(at++).end;
+        const std::size_t next = at < reading.tokens.size() ? reading.place(at).begin : end;
+        const bool ends_line = reading.text.substr(end, next - end).find('\n') != std::string::npos;
+        if (ends_line && at - range.begin >= kLeast) return end;
+        if (ends_line) break;
+    }
+    return std::nullopt;
+}
+
 std::vector<Uniform> find_uniforms(const Reading& reading) {
     std::vector<Uniform> uniforms;
     for (const Item& item : reading.items) {
@@ -92,6 +106,7 @@ std::vector<Uniform> find_uniforms(const Reading& reading) {
             broken.span = reading.place({at, item.tokens.end});
             broken.type_at = broken.span.begin;
             broken.is_broken = true;
+            broken.no_semicolon = missing_semicolon(reading, {at, item.tokens.end});
             uniforms.push_back(broken);
             break;
         }

@@ -55,6 +55,7 @@ struct Uniform {
     bool is_block = false;   // `uniform Name { … }`, or a struct
     bool is_broken = false;  // no semicolon, or something else that the compiler will explain; also
                              // one within a macro that holds more
+    std::optional<std::size_t> no_semicolon{};  // where it is missing, of a line of words alone
 };
 std::vector<Uniform> find_uniforms(const Reading& reading);
 

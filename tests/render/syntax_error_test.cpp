@@ -197,6 +197,53 @@ TEST_F(SyntaxErrors, TellOfThePreprocessorsLines) {
               "and defined()");
 }
 
+TEST_F(SyntaxErrors, StandWhereTheMistakeIsAndSayWhatToWrite) {
+    EXPECT_EQ(first_complaint(in_image("c = texture(iChannel0 p);")),
+              "2:23: ')' or ',' is missing before 'p'");
+    EXPECT_EQ(first_complaint(in_image("float a = 1.0, b = max(p.x, a a);")),
+              "2:31: ')' or ',' is missing before 'a'");
+    EXPECT_EQ(first_complaint(in_image("if (p.x > 9.0) { c = vec4(1); }\nelseif (p.x > 5.0) { }")),
+              "3:1: 'elseif' is no word of GLSL; write else if");
+    EXPECT_EQ(first_complaint(in_image("float a = 1.0lf;")),
+              "2:11: '1.0lf' is no number of GLSL; write 1.0");
+    EXPECT_EQ(
+        first_complaint("float f(vec3 n, float k,\n  float k) { return k; }\n" + in_image("")),
+        "2:9: parameter `k' redeclared");
+    EXPECT_EQ(first_complaint(in_image("if (0.0 < p.x < 3.0) c = vec4(1);")),
+              "2:5: operands to relational operators must be scalar and numeric; two are compared "
+              "at a time: write a < b && b < c");
+    EXPECT_EQ(first_complaint(in_image("vec3 a = vec3(0); a.xx = p;")),
+              "2:19: 'xx' names a component twice, and cannot be given a value");
+    EXPECT_EQ(first_complaint("void f(out float x) { x = 1.0; }\n" + in_image("f(1.0);")),
+              "3:3: function parameter 'out x' gives a value back: pass a variable");
+    EXPECT_EQ(first_complaint(in_image("c.r = 1;")),
+              "2:1: value of type int cannot be assigned to variable of type float; GLSL ES makes "
+              "no int a float by itself: write 1.0 for 1, or float(i)");
+}
+
+TEST_F(SyntaxErrors, OfValuesInThePlaceOfVariablesAreToldThoughTheDriverTakesThem) {
+    const std::string functions =
+        "vec3 tone(vec3 v) { return v; }\nvoid twice(inout vec3 v) { v *= 2.0; }\n";
+    const std::string why =
+        " is a value, and no variable that can be given another one; keep it in a variable first";
+    const std::pair<const char*, const char*> cases[] = {
+        {"tone(vec3(1)) *= 2.0;", "4:1: 'tone(vec3(1))'"},
+        {"tone(vec3(1)).x = 2.0;", "4:1: 'tone(vec3(1)).x'"},
+        {"twice(tone(vec3(1)));", "4:7: 'tone(vec3(1))'"},
+        {"min(p.x, 1.0)++;", "4:1: 'min(p.x, 1.0)'"},
+        {"(p.x > 1.0 ? c.x : c.y) = 3.0;", "4:1: '(p.x > 1.0 ? c.x : c.y)'"},
+        {"(c.x = 1.0) += 2.0;", "4:1: '(c.x = 1.0)'"}};
+    for (const auto& [statement, place] : cases)
+        EXPECT_EQ(first_complaint(functions + in_image(statement)), place + why) << statement;
+    EXPECT_EQ(
+        first_complaint("#define SET(a, b) (a) = (b)\nstruct S { vec3 a[2]; };\n" + functions +
+                        in_image("S s; vec2 q = p; (c).x = 1.0; SET(c.y, tone(c.xyz).x);\n"
+                                 "s.a[int(tone(c.xyz).x)].xy += q; twice((s.a)[0]);\n"
+                                 "for (int i = 0; i < 3; i++) (q) += p; float w;\n"
+                                 "if (tone(c.xyz).x > 1.0) q.x = modf(q.y, w); else --q.x;")),
+        "");
+}
+
 // Mesa's grammar knows tokens by names of its own.
 TEST_F(SyntaxErrors, NeverSpeakOfADriversTokens) {
     for (const std::string statement :

@@ -170,6 +170,10 @@ TEST(TweakAnnotation, SaysWhatIsWrongAndWhere) {
         {TweakType::float1, "1 qualty", 2, "did you mean 'quality'"},
         {TweakType::float1, "1 unti=m", 2, "did you mean 'unit'"},
         {TweakType::float1, "1 unit=", 2, "no value"},
+        {TweakType::float1, "1 unit= \"how fast\"", 2, "unit= has no value"},
+        {TweakType::float1, "1 group= log", 2, "group= has no value"},
+        {TweakType::vec3, "vec3(1.0)", 0, "without 'vec3'"},
+        {TweakType::float1, "noise rgba 256", 0, "noise fills a sampler"},
         {TweakType::float1, "1 2", 2, "unknown word '2'"},
         {TweakType::float1, "1 \"open", 2, "never closed"},
         {TweakType::float1, "1 \"a\" \"b\"", 6, "second description"},
@@ -188,6 +192,15 @@ TEST(TweakAnnotation, SaysWhatIsWrongAndWhere) {
 
 TEST(TweakAnnotation, ReportsEveryMistakeOfALine) {
     EXPECT_EQ(tweak(TweakType::float1, "x [1, 0] log step=0 whatever").complaints.size(), 5u);
+}
+
+TEST(TweakAnnotation, OfOneMistakeIsToldOnce) {
+    EXPECT_EQ(tweak(TweakType::vec3, "vec3(1.0) \"x\"").complaints.size(), 1u);
+    EXPECT_EQ(tweak(TweakType::float1, "noise rgba 256").complaints.size(), 1u);
+    EXPECT_EQ(tweak(TweakType::bool1, "pass mainX").complaints.size(), 1u);
+    EXPECT_EQ(tweak(TweakType::float1, "0.5 [0, 1 \"x\"").complaints.size(), 1u);
+    EXPECT_EQ(tweak(TweakType::int1, "noise {noise, image}").complaints.size(), 0u);
+    EXPECT_EQ(tweak(TweakType::float1, "1 unit = \"m\"").complaints.size(), 0u);
 }
 
 TEST(TweakAnnotation, SaysWhereItIsSafe) {

@@ -299,7 +299,7 @@ TEST(Scene, SaysWhatIsWrongAndWhere) {
         {"uniform float a, b; //@ 1", "1:18: error: an annotation is for one uniform"},
         {"uniform float a = 1.0;", "1:15: error: GLSL ES gives uniforms no value here"},
         {"uniform float a = 1.0; //@ 1", "1:15: error: GLSL ES gives uniforms no value here"},
-        {"uniform float a //@ 1\nuniform float b; //@ 2", "1:1: error: this declaration is not"},
+        {"uniform float a //@ 1\nuniform float b; //@ 2", "1:16: error: ';' is missing here"},
         {"uniform mat3 a; //@ 1", "1:9: error: 'mat3' cannot be annotated"},
         {"uniform uint a; //@ 1", "1:9: error: 'uint' cannot be annotated"},
         {"uniform float iTime; //@ 1", "1:15: error: 'iTime' is the host's own"},

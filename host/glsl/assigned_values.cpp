@@ -1,0 +1,89 @@
+// `tone(c) *= 2.0;`: values that are given values, which Mesa takes for variables and then forgets.
+#include "glsl/finding.h"
+#include "glsl/operands.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace glint {
+namespace {
+
+class ValueFinder {
+public:
+    explicit ValueFinder(const Reading& reading) : reading_(reading) {}
+
+    std::vector<Finding> find() {
+        for (const std::uint32_t sign : reading_.places_of(
+                 {"=", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "<<=", ">>=", "^="}))
+            look_at({operand_begin(reading_, sign, 0), sign});
+        for (const std::uint32_t sign : reading_.places_of({"++", "--"})) {
+            const std::uint32_t begin = operand_begin(reading_, sign, 0);
+            look_at(begin < sign ? TokenRange{begin, sign}
+                                 : TokenRange{sign + 1, operand_end(reading_, sign + 1, count())});
+        }
+        for (const Call& call : reading_.calls) look_at_arguments(call);
+        std::ranges::stable_sort(found_, {}, &Finding::at);
+        return std::move(found_);
+    }
+
+private:
+    std::uint32_t count() const { return static_cast<std::uint32_t>(reading_.tokens.size()); }
+    const Token& token(std::uint32_t at) const { return reading_.tokens[at]; }
+
+    // What a call gives back, and what `?:`, a comma or an assignment in parentheses comes to.
+    bool is_value(TokenRange range) const {
+        if (range.empty()) return false;
+        if (token(range.begin).is_word())
+            return range.size() > 1 && token(range.begin + 1).is("(");
+        const std::uint32_t close = reading_.close_of(range.begin);
+        if (!token(range.begin).is("(") || close == kNone) return false;
+        for (std::uint32_t at = range.begin + 1; at < close; ++at) {
+            if (token(at).is("?") || token(at).is(",") || is_assignment(token(at))) return true;
+            if (const std::uint32_t inner = reading_.close_of(at); inner != kNone) at = inner;
+        }
+        return is_value({range.begin + 1, close});
+    }
+
+    void look_at(TokenRange range) {
+        if (!is_value(range)) return;
+        found_.push_back({.name = {},
+                          .at = reading_.place(range.begin).begin,
+                          .text = fmt::format("'{}' is a value, and no variable that can be given "
+                                              "another one; keep it in a variable first",
+                                              close_spelling(reading_, range)),
+                          .other = {}});
+    }
+
+    // Those that all functions of the call's name hand back.
+    void look_at_arguments(const Call& call) {
+        if (call.function == kNone) return;
+        const std::vector<TokenRange> arguments = reading_.arguments_of(call);
+        for (std::size_t i = 0; i < arguments.size(); ++i)
+            if (is_value(arguments[i]) && is_handed_back(call, i)) look_at(arguments[i]);
+    }
+
+    bool is_handed_back(const Call& call, std::size_t argument) const {
+        const std::string_view name = reading_.word(call.name);
+        bool any = false;
+        for (const std::uint32_t index : reading_.functions_named(name)) {
+            const Function& function = reading_.functions[index];
+            if (function.parameters.size() != call.arity) continue;
+            if (!reading_.declarations[function.parameters[argument]].is_out) return false;
+            any = true;
+        }
+        return any || (reading_.functions_named(name).empty() && hands_out(name, argument));
+    }
+
+    const Reading& reading_;
+    std::vector<Finding> found_;
+};
+
+}  // namespace
+
+std::vector<Finding> find_assigned_values(const Reading& reading) {
+    return reading.is_balanced ? ValueFinder(reading).find() : std::vector<Finding>();
+}
+
+}  // namespace glint
