@@ -35,8 +35,7 @@ private:
     // What a call gives back, and what `?:`, a comma or an assignment in parentheses comes to.
     bool is_value(TokenRange range) const {
         if (range.empty()) return false;
-        if (token(range.begin).is_word())
-            return range.size() > 1 && token(range.begin + 1).is("(");
+        if (token(range.begin).is_word()) return range.size() > 1 && token(range.begin + 1).is("(");
         const std::uint32_t close = reading_.close_of(range.begin);
         if (!token(range.begin).is("(") || close == kNone) return false;
         for (std::uint32_t at = range.begin + 1; at < close; ++at) {

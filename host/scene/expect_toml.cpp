@@ -15,11 +15,15 @@ struct TableReader {
     const fs::path& folder;
     const TomlWarning& warning;
 
-    void know(const std::vector<std::string>& keys) const {
+    // False where others stand there, too.
+    bool knows_all(const std::vector<std::string>& keys) const {
+        bool all = true;
         for (const auto& [key, node] : table) {
             const std::string wrong = unknown_key(key.str(), keys);
             if (!wrong.empty()) warning(key.source(), wrong);
+            all &= wrong.empty();
         }
+        return all;
     }
 
     std::optional<double> bound(const char* key) const {
@@ -50,11 +54,11 @@ void read_ratio(const toml::node& node, const TableReader& of, Expect& expect) {
         return of.warning(node.source(),
                           std::string("ms_ratio says of which look, and the most; ") + kForm);
     const TableReader reader{*table, of.folder, of.warning};
-    reader.know({"of", "most"});
+    const bool knows_all = reader.knows_all({"of", "most"});
     expect.ms_of = reader.file("of", "calm.toml");
     expect.ms_ratio = reader.bound("most");
     if (!expect.ms_of.empty() && expect.ms_ratio) return;
-    if (!table->get("of") || !table->get("most"))
+    if (knows_all && (!table->get("of") || !table->get("most")))
         of.warning(node.source(), std::string("ms_ratio needs both, of and most; ") + kForm);
     expect.ms_of.clear();
     expect.ms_ratio.reset();
@@ -69,13 +73,15 @@ Expect read_expect(const toml::node& node, const fs::path& folder, const TomlWar
         return {};
     }
     const TableReader reader{*table, folder, warning};
-    reader.know({"picture", "rmse", "flip", "ms_ratio"});
+    const bool knows_all = reader.knows_all({"picture", "rmse", "flip", "ms_ratio"});
     Expect expect{.picture = reader.file("picture", "expected.png"),
                   .rmse = reader.bound("rmse"),
                   .flip = reader.bound("flip")};
     for (const char* key : {"rmse", "flip"}) {
         const toml::node* bound = table->get(key);
-        if (bound && !table->get("picture"))
+        const bool is_read =
+            key == std::string_view("rmse") ? expect.rmse.has_value() : expect.flip.has_value();
+        if (bound && is_read && knows_all && !table->get("picture"))
             warning(bound->source(), std::string(key) + " is how far the picture may be from " +
                                          "another; write picture = \"expected.png\", too");
     }

@@ -82,7 +82,7 @@ private:
 };
 
 Diagnostic Reader::syntax_error(const toml::parse_error& error) const {
-    std::string text = fmt::format("no valid TOML: {}", error.description());
+    std::string text = "no valid TOML: " + better_said(error.description());
     for (char& c : text)  // it quotes what it has read, line ends too
         if (c >= 0 && c < ' ') c = ' ';
     return {Severity::error, place(error.source()), std::move(text)};

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace glint {
 namespace {
@@ -50,6 +51,40 @@ std::string unknown_key(std::string_view key, std::span<const std::string> known
     if (std::ranges::find(known, key) != known.end()) return {};
     return fmt::format("unknown key {}; known are {}{}", in_quotes(key), fmt::join(known, ", "),
                        did_you_mean(key, known));
+}
+
+std::string better_said(std::string_view complaint) {
+    constexpr std::pair<std::string_view, std::string_view> kSaid[] = {
+        {"unescaped control characters",
+         "this text is not closed on its line, or holds a control character; end it with a second "
+         "\""},
+        {"string: encountered end-of-file", "this text is never closed; end it with a second \""},
+        {"expected decimal digit",
+         "a number has digits on both sides of its point; write 0.5, 1.0"},
+        {"whitespace, saw ','",
+         "one value stands here; a number has a point, 0.5, and several stand in brackets, [0, 5]"},
+        {"expected a comment or whitespace",
+         "one value stands here; several stand in brackets, [1, 2]"},
+        {"expected '='", "behind a key stands '='; write key = value"},
+        {"expected ']'", "this '[' is never closed; write ']'"},
+        {"array: encountered end-of-file", "a list is never closed; end it with ]"},
+        {"expected value, saw '#'",
+         "the value is missing: '#' begins a comment; a colour stands in quotes, \"#ff0000\""},
+        {"expected value", "the value is missing; write it behind '='"},
+        {"could not determine value type",
+         "this is no value; write 1.5, [1, 2, 3], true, false or a text in quotes"},
+        {"parsing boolean", "a switch is true or false, in small letters"},
+        {"leading zeroes", "a number begins with no idle 0; write 1 for 01"},
+        {"root table: expected keys",
+         "here stands a key, such as time = 1, or a table, such as [tweaks]; a comment begins with "
+         "#"}};
+    constexpr std::string_view kTwice = "cannot redefine existing ";
+    if (const std::size_t at = complaint.find(kTwice); at != complaint.npos)
+        return fmt::format("{} stands here a second time; keep one",
+                           complaint.substr(std::min(complaint.find('\'', at), complaint.size())));
+    for (const auto& [theirs, ours] : kSaid)
+        if (complaint.find(theirs) != complaint.npos) return std::string(ours);
+    return std::string(complaint);
 }
 
 }  // namespace glint

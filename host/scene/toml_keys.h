@@ -19,4 +19,7 @@ std::optional<std::size_t> find_deep_key(std::string_view toml);
 // What is said of a key that is none of these; "" of one that is.
 std::string unknown_key(std::string_view key, std::span<const std::string> known);
 
+// What toml++ complains of, and what to do; in its own words where none of ours fit.
+std::string better_said(std::string_view complaint);
+
 }  // namespace glint

@@ -46,7 +46,7 @@ TEST_F(ExpectTest, NamesAPictureAndHowFarItMayBe) {
 }
 
 TEST_F(ExpectTest, WhatIsWrongIsAWarningWithItsLine) {
-    EXPECT_EQ(warnings("[expect]\npictur = \"a.png\"\n"),
+    EXPECT_EQ(warnings("[expect]\npictur = \"a.png\"\nrmse = 0.1\n"),
               "3: unknown key 'pictur'; known are picture, rmse, flip, ms_ratio; did you mean "
               "'picture'?\n");
     EXPECT_EQ(warnings("expect = 3\n"),

@@ -286,6 +286,30 @@ TEST(Preset, DeepNestingIsAnErrorNotACrash) {
     EXPECT_TRUE(has_errors(result.diagnostics));
 }
 
+TEST(Preset, WhatIsNoTomlSaysWhatToWrite) {
+    const std::pair<const char*, const char*> cases[] = {
+        {"time = .5", "a.toml:2:8: error: no valid TOML: a number has digits on both sides"},
+        {"time = 0,5",
+         "a.toml:2:9: error: no valid TOML: one value stands here; a number has a point"},
+        {"title = \"open", "a.toml:2:14: error: no valid TOML: this text is not closed"},
+        {"time = 1\ntime = 2",
+         "a.toml:3:8: error: no valid TOML: 'time' stands here a second time"},
+        {"time: 1", "a.toml:2:5: error: no valid TOML: behind a key stands '='"},
+        {"[tweaks\nmode = 1", "a.toml:2:8: error: no valid TOML: this '[' is never closed"},
+        {"time =", "a.toml:2:7: error: no valid TOML: the value is missing"},
+        {"[tweaks]\ntint = #ff0000",
+         "a.toml:3:8: error: no valid TOML: the value is missing: '#' begins"},
+        {"[tweaks]\ntint = vec3(1)", "a.toml:3:8: error: no valid TOML: this is no value"},
+        {"[tweaks]\nboat = True", "a.toml:3:8: error: no valid TOML: a switch is true or false"},
+        {"// note", "a.toml:2:1: error: no valid TOML: here stands a key"}};
+    for (const auto& [text, said] : cases) {
+        const ReadPreset result = read(kHead + text + "\n");
+        EXPECT_FALSE(result.preset) << text;
+        ASSERT_EQ(result.diagnostics.size(), 1u) << text;
+        EXPECT_NE(all(result.diagnostics).find(said), std::string::npos) << all(result.diagnostics);
+    }
+}
+
 TEST(Diagnostic, IsWrittenForAnEditor) {
     EXPECT_EQ(to_string({Severity::error, {"a.frag", 3, 7}, "x"}), "a.frag:3:7: error: x");
     EXPECT_EQ(to_string({Severity::warning, {"a.frag", 3, 0}, "x"}), "a.frag:3: warning: x");
