@@ -1,4 +1,4 @@
-// `tone(c) *= 2.0;`: values that are given values, which Mesa takes for variables and then forgets.
+// `tone(c) *= 2.0;`: values in the place of variables, which Mesa takes and then forgets.
 #include "glsl/finding.h"
 #include "glsl/operands.h"
 
