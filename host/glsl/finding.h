@@ -26,8 +26,9 @@ struct Finding {
     std::optional<std::size_t> other;  // a second place, of which the text's end speaks
 };
 
-// What no driver may take, and Mesa does: values in the place of variables, in all of a text.
-std::vector<Finding> find_assigned_values(const Reading& reading);
+// What no driver may take, and Mesa does, in all of a text: values in the place of variables, and
+// members of a structure that have one name.
+std::vector<Finding> find_taken_by_mesa(const Reading& reading);
 
 // Each of these looks into the functions alone for which `wanted`, by function, says so.
 

@@ -57,6 +57,7 @@ constexpr Foreign kFunctions[] = {{"lerp", "mix"},
                                   {"asuint", "floatBitsToUint"},
                                   {"asint", "floatBitsToInt"}};
 
+constexpr std::size_t kLongest = 200;  // of a complaint that is taken apart
 constexpr const char* kAssigned = "{} of type {} cannot be assigned to variable of type {}";
 constexpr std::string_view kNoChange = "; GLSL ES makes no int a float by itself: write ";
 
@@ -131,6 +132,7 @@ std::string said_better(std::string complaint) {
     if (complaint.starts_with("GL_OES_shader_io_blocks"))
         return "nothing feeds this block: no vertices stand before a picture; write values of "
                "your own";
+    if (complaint == "\"defined\" not followed by an identifier") return std::string(kNoName);
     if (complaint == "error index must be >= 0") return "an index must be >= 0";
     if (complaint.ends_with(" is not an lvalue")) {
         complaint.erase(complaint.size() - std::string_view(" is not an lvalue").size());
@@ -166,6 +168,68 @@ std::optional<std::string> said_of_remainder(std::string complaint) {
                : "type mismatch";
 }
 
+namespace {
+
+// The number of a vector's components, 1 of a float; 0 of what is neither.
+int count_of(std::string_view type) {
+    if (type == "float") return 1;
+    const bool is_vector = type.size() == 4 && type.starts_with("vec");
+    return is_vector ? type[3] - '0' : 0;
+}
+
+// How a value of one type becomes one of another.
+std::string advice_on_conversion(const std::string& given, const std::string& wanted) {
+    const int from = count_of(given), to = count_of(wanted);
+    const bool is_number = given == "int" || given == "uint" || given == "float";
+    if (wanted == "void") return "; write return; alone, or another type for the function";
+    if (wanted == "bool" && is_number) return "; compare it, such as x > 0";
+    if (given == "bool" && (wanted == "float" || wanted == "int"))
+        return fmt::format("; write {}(b)", wanted);
+    if (from > 1 && to == 1) return "; take one of its components, such as .x";
+    if (from > to && to > 1)
+        return fmt::format("; leave components out: .{}",
+                           std::string_view("xyzw").substr(0, std::size_t(to)));
+    if (to > from && from > 1)
+        return fmt::format("; add what is missing: {}(v{})", wanted,
+                           to - from == 1 ? ", 0.0" : ", 0.0, 0.0");
+    if (to > 1 && given.ends_with("vec" + std::to_string(to)))
+        return fmt::format("; write {}(v)", wanted);
+    return "";
+}
+
+std::string advice_on_conversion(std::string_view complaint) {
+    static const std::regex said(
+        R"(^(?:(?:value|initializer) of type (\w+) cannot be assigned to variable of type (\w+)|)"
+        R"(`return' with wrong type (\w+), in function `\w+' returning (\w+)|)"
+        R"(a value of type (\w+) cannot stand for one of type (\w+))$)");
+    std::match_results<std::string_view::const_iterator> m;
+    if (complaint.size() > kLongest ||
+        !std::regex_match(complaint.begin(), complaint.end(), m, said))
+        return "";
+    return advice_on_conversion(m.str(1) + m.str(3) + m.str(5), m.str(2) + m.str(4) + m.str(6));
+}
+
+// Of "xyq'", of which not all letters are components, or not of this vector.
+std::string advice_on_components(std::string_view letters) {
+    letters = letters.substr(0, letters.find('\''));
+    constexpr std::string_view kSets[] = {"xyzw", "rgba", "stpq"};
+    const bool is_of_one = std::ranges::any_of(kSets, [&](std::string_view set) {
+        return letters.find_first_not_of(set) == letters.npos;
+    });
+    return is_of_one ? "; a vec2 has x and y, a vec3 z as well, and a vec4 w"
+                     : "; components are called by letters of one set: xyzw, rgba or stpq";
+}
+
+// Of complaints that stand alone.
+constexpr Foreign kWhatToDo[] = {
+    {"switch-statement expression must be scalar integer", "; write int(x)"},
+    {"' must be a constant expression",
+     "; leave out the const, and give it its value in a function"},
+    {"size mismatch for matrix multiplication", "; a mat3 is multiplied by a vec3, and so on"},
+};
+
+}  // namespace
+
 std::string advice_on_types(std::string_view complaint) {
     constexpr std::string_view kOperands = "could not implicitly convert operands to ";
     if (complaint.starts_with(kOperands)) {
@@ -200,7 +264,16 @@ std::string advice_on_types(std::string_view complaint) {
     if (complaint.ends_with("HS of `^' must be an integer")) return "; a power is pow(a, b)";
     if (complaint.ends_with("of operator % must be an integer"))
         return "; of floats mod(a, b) is left";
-    return "";
+    const auto known = std::ranges::find_if(
+        kWhatToDo, [&](const Foreign& one) { return complaint.ends_with(one.first); });
+    if (known != std::end(kWhatToDo)) return std::string(known->second);
+    constexpr std::string_view kFew = "too few components to construct `",
+                               kMask = "invalid swizzle / mask `";
+    if (complaint.starts_with(kFew))
+        return fmt::format("; add what is missing, such as {}(v, 0.0)",
+                           complaint.substr(kFew.size(), complaint.size() - kFew.size() - 1));
+    if (complaint.starts_with(kMask)) return advice_on_components(complaint.substr(kMask.size()));
+    return advice_on_conversion(complaint);
 }
 
 }  // namespace glint

@@ -8,6 +8,7 @@
 namespace glint {
 
 // What is said where a driver tells of two types and of nothing else.
+inline constexpr std::string_view kNoName = "'defined' takes one name: write defined(A)";
 inline constexpr const char* kTypeForAnother = "a value of type {} cannot stand for one of type {}";
 
 // A complaint of Mesa's, without advice that is none for GLSL ES.

@@ -1,5 +1,6 @@
 #include "render/consequences.h"
 
+#include "render/advice.h"
 #include "render/syntax_error.h"
 
 #include <fmt/format.h>
@@ -31,7 +32,7 @@ bool is_consequence(const Diagnostic& one, const Diagnostic& cause) {
         "scalar|"
         "[(, ]error[,)]|of type error$|with wrong type error,|convert error to |^[LR]HS of .* must "
         "be |^second and third operands|^array size must be|^array index must be|"
-        "^switch-statement expression|must be a constant expression$|[(]error vs |found error$|"
+        "^switch-statement expression|must be a constant expression|[(]error vs |found error$|"
         "^unknown method: ");
     const Place &at = one.place, &before = cause.place;
     const bool encloses =
@@ -63,6 +64,7 @@ constexpr Repeated kRepeated[] = {
     {"operand of `!' must be", "initializer of type bool"},
     {"operand of `!' must be", "value of type bool"},
     {"Macro names starting with", "Redefinition of macro"},
+    {kNoName, "this is not expected here; behind #if", true},
 };
 
 // A call of what the text was not allowed to define.
@@ -88,7 +90,7 @@ bool calls_refused(const Diagnostic& one, const Diagnostic& cause) {
 bool is_repeated(const Diagnostic& one, const Diagnostic& cause) {
     const bool hides_end = cause.text.starts_with("Illegal non-directive") ||
                            cause.text.starts_with("the line ends too soon") ||
-                           cause.text.ends_with(kConditionBehind);
+                           cause.text == kNoName || cause.text.ends_with(kConditionBehind);
     if (hides_end && one.text == "Unterminated #if") return true;
     if (one.place.file != cause.place.file || one.place.line != cause.place.line) return false;
     const bool is_other_head = cause.text.find(kOtherResult) != cause.text.npos ||
@@ -169,7 +171,8 @@ Diagnostics with_vectors_named(Diagnostics list) {
         const bool has_commas = std::ranges::any_of(list, [&](const Diagnostic& other) {
             return other.text == kIdleComma && are_beside(one, other);
         });
-        if (has_commas) one.text += fmt::format("{}{}(\u2026)", kLastAlone, type);
+        one.text += has_commas ? fmt::format("{}{}(\u2026)", kLastAlone, type)
+                               : fmt::format("; write {}(x)", type);
     }
     const auto is_told = [&](const Diagnostic& warning) {
         return warning.text == kIdleComma && std::ranges::any_of(list, [&](const Diagnostic& one) {

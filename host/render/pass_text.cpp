@@ -536,7 +536,7 @@ PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions&
 
     PassText result;
     result.pass = pass;
-    if (!is_lean && !probe) result.refused = find_assigned_values(reading);
+    if (!is_lean && !probe) result.refused = find_taken_by_mesa(reading);
     if (is_lean) leave_out_functions(reading, reached, edits);
     if (is_lean) leave_out_constants(reading, unused, edits);
     if (options.feed) result.numbers = feed_numbers(reading, reached, kNumbers, is_lean, edits);

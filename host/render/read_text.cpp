@@ -185,6 +185,13 @@ std::string ReadText::help_with_size(const Spot& spot) const {
     return "";
 }
 
+const std::vector<std::string>& directives() {
+    static const std::vector<std::string> all = {
+        "include", "define",  "undef",     "ifdef", "ifndef", "elif", "else",
+        "endif",   "version", "extension", "if",    "pragma", "line", "error"};
+    return all;
+}
+
 // `0.0 < x < 1.0`
 bool ReadText::compares_twice(const Spot& spot) const {
     static constexpr std::string_view kEnds[] = {";", ",", "&&", "||", "?", "{", "}"};
@@ -233,6 +240,7 @@ std::string ReadText::help_at(std::string_view words, const Spot& spot) const {
             if (token.is("=")) return "; == compares, = gives a value";
             depth += token.is("(") ? 1 : token.is(")") || token.is(";") ? -1 : 0;
         }
+        return "; compare, such as x > 0.0";
     }
     if (words.starts_with("vector size mismatch")) return help_with_size(spot);
     if (words == "operands to relational operators must be scalar and numeric")
@@ -243,12 +251,10 @@ std::string ReadText::help_at(std::string_view words, const Spot& spot) const {
         find_builtin(words.substr(1, words.find('\'') - 1)))
         return "; it is the host's, and there already: take this out, or give yours another name";
     if (words.starts_with("Illegal non-directive after #")) {
-        static const std::vector<std::string> kDirectives = {"include", "define", "undef", "ifdef",
-                                                             "ifndef",  "elif",   "else",  "endif"};
         std::string_view word = std::string_view(pass_.text).substr(spot.at);
         word.remove_prefix(std::min(word.find_first_not_of("# \t"), word.size()));
         word = word.substr(0, word.find_first_of(" \t\n\"(<"));
-        const std::string help = did_you_mean(word, kDirectives);
+        const std::string help = did_you_mean(word, directives());
         if (!help.empty()) return help;
         return word == "import" || word == "use" || word == "require"
                    ? "; a file is taken in by #include \"FILE\""
@@ -282,6 +288,19 @@ std::string ReadText::beside_macro(std::size_t token) const {
     return "this is not expected here";
 }
 
+// `#ifdeff A`, of which Mesa says that `#ifdef` has too much behind it.
+std::optional<Diagnostic> ReadText::mistyped_directive(const Spot& spot) const {
+    std::size_t at = pass_.text.rfind('#', spot.at);
+    if (at == std::string::npos || pass_.text.find('\n', at) < spot.at) return std::nullopt;
+    const std::size_t begin = pass_.text.find_first_not_of(" \t", at + 1);
+    const std::size_t end = pass_.text.find_first_of(" \t\n(", begin);
+    const std::string word = pass_.text.substr(begin, end - begin);
+    const std::string meant = nearest(word, directives());
+    if (meant.empty() || meant == word) return std::nullopt;
+    return Diagnostic{Severity::error, place(at),
+                      fmt::format("'#{}' is no directive; did you mean '#{}'?", word, meant)};
+}
+
 Diagnostic ReadText::complaint(Said said) const {
     const auto& [severity, line, column, is_expanded, said_words, token] = said;
     Spot spot = spot_of(said);
@@ -304,6 +323,8 @@ Diagnostic ReadText::complaint(Said said) const {
         words = kTextEnds;
         spot.token = tokens_as_written(read_, pass_).size();
     }
+    if (words == "extra tokens at end of directive")
+        if (auto mistyped = mistyped_directive(spot)) return *mistyped;
     if (spot.at >= pass_.user_end || words.starts_with("this is not expected here"))
         if (auto open = open_use()) return *open;
     std::optional<SyntaxError> syntax;

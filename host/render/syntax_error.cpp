@@ -171,6 +171,8 @@ std::optional<SyntaxError> unknown_type(const Complaint& complaint, const Around
     std::vector<std::string> known(kTypes.begin(), kTypes.end());
     known.insert(known.end(), {"return", "const", "uniform", "precision", "struct", "else"});
     std::string help = did_you_mean(name, known);
+    if (name == "then" && around.is(away - 1, ")"))
+        help = "; the statement follows right behind the ')'";
     if (std::string ours = advice_on_foreign_type(name); !ours.empty()) help = std::move(ours);
     if (name == "and" || name == "or")
         return SyntaxError{fmt::format("{} is no operator here; write {}", in_quotes(name),

@@ -64,7 +64,8 @@ TEST(NvidiaWords, OfTypesSayWhatToDo) {
               "2:21: each operand of operator % must be an integer; of floats mod(a, b) is left");
     EXPECT_EQ(
         told(in_image("c.x = c.xyq.x;"), 2, "swizzle mask element not present in operand \"xyq\""),
-        "2:9: invalid swizzle / mask `xyq'");
+        "2:9: invalid swizzle / mask `xyq'; components are called by letters of one set: xyzw, "
+        "rgba or stpq");
     EXPECT_EQ(told(in_image("int i = 09;"), 2, "invalid digit '9' in octal constant"),
               "2:9: '09' is no number of GLSL; a leading 0 means octal: write 9");
     EXPECT_EQ(told(in_image("c.x = 1f;"), 2,

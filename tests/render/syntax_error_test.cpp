@@ -221,6 +221,38 @@ TEST_F(SyntaxErrors, StandWhereTheMistakeIsAndSayWhatToWrite) {
               "no int a float by itself: write 1.0 for 1, or float(i)");
 }
 
+TEST_F(SyntaxErrors, OfTypesThatDoNotFitSayWhatFits) {
+    const std::pair<const char*, const char*> cases[] = {
+        {"float a = p;", "; take one of its components, such as .x"},
+        {"vec2 a = c;", "; leave components out: .xy"},
+        {"c = p;", "; add what is missing: vec4(v, 0.0, 0.0)"},
+        {"vec3 a = p.x;", "; write vec3(x)"},
+        {"bool a = p.x;", "; compare it, such as x > 0"},
+        {"float a = p.x > 1.0;", "; write float(b)"},
+        {"return 1;", "; write return; alone, or another type for the function"},
+        {"vec3 a = vec3(p);", "; add what is missing, such as vec3(v, 0.0)"},
+        {"p = p.xyz;", "; a vec2 has x and y, a vec3 z as well, and a vec4 w"},
+        {"c.rgx = vec3(1.0);", "; components are called by letters of one set: xyzw, rgba or stpq"},
+        {"while (p.x) c.x += 1.0;", "; compare, such as x > 0.0"},
+        {"switch (p.x) { case 1: c = vec4(1); }", "; write int(x)"},
+        {"if (p.x > 1.0) then c = vec4(1);", "; the statement follows right behind the ')'"}};
+    for (const auto& [statement, help] : cases) {
+        const std::string told = first_complaint(in_image(statement));
+        EXPECT_TRUE(told.ends_with(help)) << statement << ": " << told;
+    }
+}
+
+TEST_F(SyntaxErrors, OfDirectivesThatAreMistypedNameTheRightOne) {
+    EXPECT_EQ(first_complaint("#ifdeff A\n#endif\n" + in_image("")),
+              "1:1: '#ifdeff' is no directive; did you mean '#ifdef'?");
+    EXPECT_EQ(first_complaint("#if defined(A\n#endif\n" + in_image("")),
+              "1:5: 'defined' takes one name: write defined(A)");
+    EXPECT_TRUE(
+        first_complaint("#verison 300 es\n" + in_image("")).ends_with("did you mean 'version'?"));
+    EXPECT_EQ(first_complaint("struct S { float a; vec2 a; };\n" + in_image("")),
+              "1:26: a second member 'a'; give it another name");
+}
+
 TEST_F(SyntaxErrors, OfValuesInThePlaceOfVariablesAreToldThoughTheDriverTakesThem) {
     const std::string functions =
         "vec3 tone(vec3 v) { return v; }\nvoid twice(inout vec3 v) { v *= 2.0; }\n";

@@ -1,18 +1,20 @@
-// `tone(c) *= 2.0;`: values in the place of variables, which Mesa takes and then forgets.
+// What Mesa takes and no driver may: `tone(c) *= 2.0;`, which it then forgets, and
+// `struct S { float a; vec2 a; };`.
 #include "glsl/finding.h"
 #include "glsl/operands.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <unordered_set>
 #include <utility>
 
 namespace glint {
 namespace {
 
-class ValueFinder {
+class Finder {
 public:
-    explicit ValueFinder(const Reading& reading) : reading_(reading) {}
+    explicit Finder(const Reading& reading) : reading_(reading) {}
 
     std::vector<Finding> find() {
         for (const std::uint32_t sign : reading_.places_of(
@@ -24,6 +26,7 @@ public:
                                  : TokenRange{sign + 1, operand_end(reading_, sign + 1, count())});
         }
         for (const Call& call : reading_.calls) look_at_arguments(call);
+        for (const Struct& structure : reading_.structs) look_at_members(structure);
         std::ranges::stable_sort(found_, {}, &Finding::at);
         return std::move(found_);
     }
@@ -63,6 +66,19 @@ private:
             if (is_value(arguments[i]) && is_handed_back(call, i)) look_at(arguments[i]);
     }
 
+    void look_at_members(const Struct& structure) {
+        std::unordered_set<std::string_view> names;
+        for (const std::uint32_t member : structure.members)
+            for (const Declarator& one : reading_.declarations[member].names)
+                if (!names.insert(reading_.word(one.name)).second)
+                    found_.push_back({.name = {},
+                                      .at = reading_.place(one.name).begin,
+                                      .text = fmt::format("a second member '{}'; give it another "
+                                                          "name",
+                                                          reading_.word(one.name)),
+                                      .other = {}});
+    }
+
     bool is_handed_back(const Call& call, std::size_t argument) const {
         const std::string_view name = reading_.word(call.name);
         bool any = false;
@@ -81,8 +97,8 @@ private:
 
 }  // namespace
 
-std::vector<Finding> find_assigned_values(const Reading& reading) {
-    return reading.is_balanced ? ValueFinder(reading).find() : std::vector<Finding>();
+std::vector<Finding> find_taken_by_mesa(const Reading& reading) {
+    return reading.is_balanced ? Finder(reading).find() : std::vector<Finding>();
 }
 
 }  // namespace glint
