@@ -2,6 +2,7 @@
 #include "media/sound_module.h"
 
 #include <kiss_fftr.h>
+#include <ogg/ogg.h>
 #include <samplerate.h>
 #include <sndfile.h>
 #include <sys/stat.h>
@@ -13,6 +14,7 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -92,6 +94,7 @@ struct Writer {
     sf_count_t at = 0;
     int error = 0;
     SNDFILE* file = nullptr;
+    bool is_ogg = false;
 };
 
 sf_count_t length_of(void* user) {
@@ -134,6 +137,30 @@ sf_count_t write_out(const void* from, sf_count_t count, void* user) {
 
 sf_count_t place_of(void* user) {
     return static_cast<Writer*>(user)->at;
+}
+
+// libsndfile numbers each stream by the clock, in every page (RFC 3533, section 6). Here all are
+// stream 0: the same sound has the same bytes.
+void number_pages(Writer& writer) {
+    constexpr size_t kHead = 27, kSerial = 14, kSegments = 26;
+    std::vector<unsigned char> page(kHead);
+    for (writer.at = 0; read_back(page.data(), kHead, &writer) == kHead;) {
+        const sf_count_t begin = writer.at - static_cast<sf_count_t>(kHead);
+        const size_t head = kHead + page[kSegments];
+        page.resize(head);
+        read_back(page.data() + kHead, static_cast<sf_count_t>(head - kHead), &writer);
+        const size_t body = std::accumulate(page.begin() + kHead, page.end(), size_t{0});
+        page.resize(head + body);
+        read_back(page.data() + head, static_cast<sf_count_t>(body), &writer);
+        std::fill_n(&page[kSerial], 4, 0);
+        ogg_page whole{page.data(), static_cast<long>(head), page.data() + head,
+                       static_cast<long>(body)};
+        ogg_page_checksum_set(&whole);
+        writer.at = begin;
+        write_out(page.data(), static_cast<sf_count_t>(head + body), &writer);
+        page.resize(kHead);
+        if (writer.error != 0) return;
+    }
 }
 
 }  // namespace
@@ -180,6 +207,7 @@ void* glint_sound_open(int descriptor, const char* format, char* cause, size_t c
     SF_VIRTUAL_IO io{length_of, seek, read_back, write_out, place_of};
     auto writer = std::make_unique<Writer>();
     writer->descriptor = descriptor;
+    writer->is_ogg = kind == "ogg";
     writer->file = sf_open_virtual(&io, SFM_WRITE, &info, writer.get());
     if (!writer->file) {
         give_up(sf_strerror(nullptr), cause, cause_size);
@@ -203,6 +231,7 @@ void glint_sound_append(void* user, const int16_t* pairs, size_t count) {
 int glint_sound_close(void* user) {
     const std::unique_ptr<Writer> writer(static_cast<Writer*>(user));
     sf_close(writer->file);
+    if (writer->is_ogg && writer->error == 0) number_pages(*writer);
     return writer->error;
 }
 

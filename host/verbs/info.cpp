@@ -330,6 +330,8 @@ void print_tables(const Inspection& seen, const Json& json) {
 
 void run_info(const InfoOptions& options, const Stopwatch&) {
     const Preset preset = open_preset(options.view);
+    if (!options.source.empty() && options.view.json)
+        throw UsageError("--source prints GLSL, and --json an object; leave one of them out.");
     if (!options.source.empty()) {
         const bool sound = options.source == "sound" && preset.scene.has_sound;
         const std::size_t pass = sound ? kSoundPass : find_pass(preset.scene, options.source);

@@ -159,6 +159,15 @@ TEST_F(Sound, FlacHoldsTheSameSamplesAndOggTheSameSound) {
     EXPECT_NEAR(static_cast<double>(decoded("a.ogg").size()), 2 * 44100 * 4, 4);
 }
 
+TEST_F(Sound, OfAnyKindHasTheSameBytesEachTime) {
+    write("tone.frag", kTone);
+    for (const std::string kind : {"wav", "flac", "ogg"}) {
+        for (const std::string name : {"a.", "b."})
+            ASSERT_EQ(glint({"sound", "tone.frag", "-o", name + kind, "--seconds", "2"}).code, 0);
+        EXPECT_EQ(bytes("a." + kind), bytes("b." + kind)) << kind;
+    }
+}
+
 TEST_F(Sound, ASceneHearsAFileAndLoadsItsLibraryForThatAlone) {
     write("tone.frag", kTone);
     ASSERT_EQ(glint({"sound", "tone.frag", "-o", "song.ogg", "--seconds", "1"}).code, 0);

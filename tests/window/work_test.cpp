@@ -12,7 +12,7 @@ namespace glint::window::work_test {
 namespace {
 
 constexpr glm::ivec2 kMargin{3, 300};
-constexpr glm::ivec2 kSetB{1203, 61};  // of the tweaks panel
+constexpr glm::ivec2 kSetA{1180, 61}, kSetB{1203, 61};  // of the tweaks panel
 
 class Work : public Window {
 protected:
@@ -46,6 +46,11 @@ protected:
         }));
         EXPECT_TRUE(becomes_unsaved(true));
         return red();
+    }
+    static long levels_in(const std::string& presets) {
+        long count = 0;
+        for (std::size_t at = 0; (at = presets.find("level = ", at)) != presets.npos; ++at) ++count;
+        return count;
     }
     // The dialogs dim the picture.
     bool asks() const {
@@ -175,6 +180,20 @@ TEST_F(Work, ThatTheFileOverrulesIsOfferedAtTheNextStart) {
     EXPECT_TRUE(asks());
     screen_->tap("Return");
     EXPECT_TRUE(eventually([&] { return red() == changed; })) << red();
+}
+
+TEST_F(Work, ThatTheFileOverrulesIsNoneOnceAnythingWasSaved) {
+    open_look();
+    const int changed = change();
+    ASSERT_TRUE(eventually([&] { return !kept().empty(); }));
+    const int another = changed == 153 ? 102 : 153;
+    write(look(), "scene = \"scene.frag\"\n[tweaks]\nlevel = " + std::to_string(another / 255.0));
+    EXPECT_TRUE(eventually([&] { return red() == another; })) << red();
+    screen_->tap("Control_L+z");
+    EXPECT_TRUE(eventually([&] { return red() == changed; })) << red();
+    screen_->tap("Control_L+s");
+    EXPECT_TRUE(becomes_unsaved(false));
+    EXPECT_TRUE(eventually([&] { return kept().empty(); })) << kept();
 }
 
 TEST_F(Work, IsRestoredIntoATextThatHasOtherTweaksByThen) {
@@ -339,6 +358,21 @@ TEST_F(Work, OfTheSetThatIsHiddenIsAskedForAndOutlivesACrash) {
     EXPECT_EQ(read(look()).find("level = 0.2\n"), std::string::npos) << read(look());
 }
 
+TEST_F(Work, OfBothSetsOutlivesACrash) {
+    open_look();
+    const int first = change();
+    screen_->click(kSetB);
+    const int second = change();
+    ASSERT_TRUE(eventually([&] { return levels_in(kept()) == 2; })) << kept();
+    glint_->signal(SIGKILL);
+    glint_->wait();
+    open_look();
+    EXPECT_TRUE(enter_until([&] { return red() == first; })) << "the newest, then the other";
+    EXPECT_EQ(levels_in(kept()), 2) << kept();
+    screen_->click(kSetA);
+    EXPECT_TRUE(eventually([&] { return red() == second; })) << red();
+}
+
 TEST_F(Work, TheSetInWhichNobodyHasWorkedIsNoWorkOnceTheOtherIsSaved) {
     open_look();
     screen_->tap("Control_L+space");
@@ -348,7 +382,7 @@ TEST_F(Work, TheSetInWhichNobodyHasWorkedIsNoWorkOnceTheOtherIsSaved) {
     const std::string saved = read(look());
     screen_->click(kSetB);
     EXPECT_TRUE(eventually([&] { return red() == 51; })) << "as the file was";
-    screen_->click({1180, 61});
+    screen_->click(kSetA);
     EXPECT_TRUE(eventually([&] { return red() == saved_red; })) << red();
     EXPECT_TRUE(becomes_unsaved(false));
     screen_->tap("Control_L+q");

@@ -272,6 +272,7 @@ private:
     std::optional<Overwriting> overwriting_;  // the question is whether to
     std::optional<Leaving> leaving_;          // once a person has said what becomes of the unsaved
     std::optional<std::string> offer_;        // the unsaved work of the last run, as a preset
+    bool has_restored_ = false;               // some of it, of this file
     // What the state folder holds, and since when.
     struct Kept {
         std::vector<TweakValue> values;
@@ -282,7 +283,8 @@ private:
         std::vector<TweakValues::Waiting> waiting;
         bool operator==(const Kept&) const = default;
     };
-    std::optional<Kept> kept_;
+    std::array<std::optional<Kept>, 2> kept_;  // by set, A and B
+    std::optional<Kept>& kept();               // of the one that is shown
     Stopwatch since_kept_;
     static constexpr double kKeepPeriod = 0.5;  // s; a hand that moves does not write all the time
     // What a study or a check is about: the values it began with, and whether they are still those

@@ -69,13 +69,14 @@ void HeldFolder::remove() {
     ::close(std::exchange(descriptor_, -1));
 }
 
-void UnsavedWork::keep(const fs::path& file, const std::string& text) {
+void UnsavedWork::keep(const fs::path& file, const std::string& text, std::size_t set) {
     // A new one where somebody has cleared the state folder, or there is none yet.
     std::error_code error;
-    if (!own_ || !fs::exists(own_.path(), error)) own_ = make_folder_in(folder_);
-    if (!own_) throw cannot_write(folder_, "another process holds what was just made");
-    write(own_.path() / kFile, canonical_name(file).string());
-    write(own_.path() / kText, text);
+    HeldFolder& own = own_[set];
+    if (!own || !fs::exists(own.path(), error)) own = make_folder_in(folder_);
+    if (!own) throw cannot_write(folder_, "another process holds what was just made");
+    write(own.path() / kFile, canonical_name(file).string());
+    write(own.path() / kText, text);
 }
 
 void UnsavedWork::discard_found() {

@@ -2,10 +2,14 @@
 // power, takes nothing of it.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace glint {
 
@@ -28,22 +32,35 @@ private:
     int descriptor_ = -1;
 };
 
-// The unsaved work of one window on one file. Every window has a folder of its own inside that of
-// all, so that two on the same file keep both.
+// The unsaved work of one window on one file, in each of the two sets of tweaks. Every window has
+// folders of its own inside that of all, so that two on the same file keep both.
 class UnsavedWork {
 public:
     // `folder` holds the work of all windows; it is made when there is something to keep.
     explicit UnsavedWork(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-    // Keeps this text, a preset as it would be saved, as the work on `file`. What was kept before
-    // is replaced in one step. Throws std::runtime_error where it cannot be written.
-    void keep(const std::filesystem::path& file, const std::string& text);
+    // Keeps this text, a preset as it would be saved, as the work on `file` in a set, 0 or 1. What
+    // was kept of that before is replaced in one step. Throws std::runtime_error where it cannot be
+    // written.
+    void keep(const std::filesystem::path& file, const std::string& text, std::size_t set);
 
     // It is saved, or not wanted.
-    void forget() { own_.remove(); }
+    void forget(std::size_t set) { own_[set].remove(); }
+    void forget() {
+        for (HeldFolder& folder : own_) folder.remove();
+    }
 
     // It waits for the next window that opens its file.
-    void leave() { own_ = {}; }
+    void leave() {
+        own_ = {};
+        aside_.clear();
+    }
+    // So it does once this window ends, unless what was set aside is forgotten before.
+    void set_aside(std::size_t set) { aside_.push_back(std::exchange(own_[set], {})); }
+    void forget_aside() {
+        for (HeldFolder& folder : aside_) folder.remove();
+        aside_.clear();
+    }
 
     // The newest work on `file` of windows that have ended. It is this window's to offer until
     // discard_found(); where the window ends before, the next one finds it again.
@@ -59,7 +76,9 @@ public:
 
 private:
     std::filesystem::path folder_;
-    HeldFolder own_, found_;
+    std::array<HeldFolder, 2> own_;
+    std::vector<HeldFolder> aside_;
+    HeldFolder found_;
     std::set<std::filesystem::path> passed_;
 };
 

@@ -231,7 +231,8 @@ void PlaygroundWindow::open(const fs::path& file) {
     probe_.stop();
     overwriting_.reset();
     unsaved_work_.leave_found();
-    kept_.reset();
+    has_restored_ = false;
+    kept_ = {};
     offer_.reset();
     study_.clear();
     check_.clear();
@@ -335,6 +336,7 @@ bool PlaygroundWindow::save(const fs::path& file, Over over) {
     stop_recording();
     const Preset preset = preset_to_save();
     if (!write_look(preset, file)) return false;
+    unsaved_work_.forget_aside();
     notice(fmt::format("{} saved", file.filename().string()));
     recorded_.clear();
     start_time_.reset();
@@ -386,7 +388,7 @@ void PlaygroundWindow::go_on_in(const fs::path& file, const Preset& preset) {
     crash_mark_.set(place_);
     recent_.add(file);
     unsaved_work_.forget();
-    kept_.reset();
+    kept_ = {};
     settings_.free_aspect = false;
     folder_ = file.has_parent_path() ? file.parent_path() : ".";
     list_files();
@@ -404,6 +406,7 @@ void PlaygroundWindow::revert() {
     recorded_.clear();
     start_time_.reset();
     watch_.reset();
+    unsaved_work_.forget_aside();
     const std::string how =
         is_undone ? fmt::format("; {} takes it back", keys_of(Action::undo)) : "";
     notice(fmt::format("Reverted to {}{}", file_.filename().string(), how));
@@ -412,9 +415,10 @@ void PlaygroundWindow::revert() {
 void PlaygroundWindow::tell_overruled() {
     const std::vector<std::string> names = playground_.take_overruled();
     if (names.empty()) return;
-    // Undo has what stood here; where the window ends before it is asked, the next one offers it.
-    if (kept_.has_value()) unsaved_work_.leave();
-    kept_.reset();
+    // Undo has what stood here; where the window ends before anything is saved, the next one offers
+    // it.
+    if (kept()) unsaved_work_.set_aside(place_of(playground_.tweaks.shown()));
+    kept().reset();
     notice(fmt::format("{} was edited, and says otherwise of {}; {} brings back what stood here",
                        file_.filename().string(), fmt::join(names, ", "), keys_of(Action::undo)));
 }
@@ -435,7 +439,7 @@ void PlaygroundWindow::toggle_recording() {
 void PlaygroundWindow::stop_recording() {
     if (!playground_.recorder.recording()) return;
     recorded_ = with_written_events(playground_.recorder.stop());
-    kept_.reset();
+    kept().reset();
 }
 
 // The command line's tweaks, and the values that it names by --quality, are changes like those by
@@ -462,14 +466,20 @@ bool PlaygroundWindow::has_work() const {
 
 bool PlaygroundWindow::is_keeping_due() const {
     if (!values_known_) return false;  // what is on the screen is no work on this file
-    if (!has_work()) return kept_.has_value() && !hides_work();
-    return kept_ != work();
+    const std::optional<Kept>& kept = kept_[place_of(playground_.tweaks.shown())];
+    return has_work() ? kept != work() : kept.has_value();
+}
+
+std::optional<PlaygroundWindow::Kept>& PlaygroundWindow::kept() {
+    return kept_[place_of(playground_.tweaks.shown())];
 }
 
 // Where a person has been asked, or nothing is left to ask of.
 void PlaygroundWindow::let_go_of_work() {
-    if (!values_known_ || playground_.tweaks.waiting().empty()) return unsaved_work_.forget();
-    keep_now();
+    if (values_known_ && !playground_.tweaks.waiting().empty())
+        keep_now();
+    else
+        unsaved_work_.forget();
     unsaved_work_.leave();
 }
 
@@ -506,15 +516,15 @@ void PlaygroundWindow::keep_unsaved() {
     note_work();
     if (!is_keeping_due()) return;
     if (!has_work()) {
-        unsaved_work_.forget();
-        return kept_.reset();
+        unsaved_work_.forget(place_of(playground_.tweaks.shown()));
+        return kept().reset();
     }
-    if (!kept_ || since_kept_.ms() >= kKeepPeriod * 1000.0) keep_now();
+    if (!kept() || since_kept_.ms() >= kKeepPeriod * 1000.0) keep_now();
 }
 
 void PlaygroundWindow::keep_now() {
     since_kept_.restart();
-    kept_ = work();
+    kept() = work();
     Preset preset = preset_to_save();
     for (const TweakValues::Waiting& one : playground_.tweaks.waiting()) {
         preset.scene.tweaks.push_back(one.tweak);
@@ -523,7 +533,7 @@ void PlaygroundWindow::keep_now() {
     const PresetText text = write_preset(preset, place_beside(place_));
     try {
         if (!text.text) throw std::runtime_error(to_string(text.diagnostics.front()));
-        unsaved_work_.keep(place_, *text.text);
+        unsaved_work_.keep(place_, *text.text, place_of(playground_.tweaks.shown()));
     } catch (const std::runtime_error& error) {
         notice(fmt::format("Unsaved work cannot be kept for the next start. {}", error.what()));
     }
@@ -566,6 +576,9 @@ void PlaygroundWindow::find_unsaved() {
 void PlaygroundWindow::restore() {
     const ReadPreset read = read_offer();
     if (!read.preset) return;
+    // What was restored before stays: of the last run's two sets this is the other one.
+    if (std::exchange(has_restored_, true))
+        playground_.tweaks.show(other_set(playground_.tweaks.shown()));
     if (!same(read.preset->events, playground_.as_written()->events))
         recorded_ = read.preset->events;
     const std::vector<std::string> mine = channel_texts(*playground_.preset());

@@ -31,7 +31,7 @@ protected:
 };
 
 TEST_F(Unsaved, IsFoundByTheNextWindowOfTheSameFileUntilItIsDiscarded) {
-    { UnsavedWork(folder / "state").keep("a.toml", "one"); }
+    { UnsavedWork(folder / "state").keep("a.toml", "one", 0); }
     EXPECT_EQ(found("b.toml"), std::nullopt);
     EXPECT_EQ(found("a.toml"), "one");
     EXPECT_EQ(found(fs::absolute("./x/../a.toml")), "one") << "undecided, under another name";
@@ -44,7 +44,7 @@ TEST_F(Unsaved, IsFoundByTheNextWindowOfTheSameFileUntilItIsDiscarded) {
 
 // A window that found it again and again would do nothing else.
 TEST_F(Unsaved, ThatCannotBeRemovedIsDecidedOnOnce) {
-    { UnsavedWork(folder / "state").keep("a.toml", "one"); }
+    { UnsavedWork(folder / "state").keep("a.toml", "one", 0); }
     UnsavedWork next(folder / "state");
     ASSERT_EQ(next.find("a.toml"), "one");
     const fs::path where = next.found_folder(), copy = folder / "copy";
@@ -56,7 +56,7 @@ TEST_F(Unsaved, ThatCannotBeRemovedIsDecidedOnOnce) {
 }
 
 TEST_F(Unsaved, ThatAWindowPassesIsLeftForTheNext) {
-    { UnsavedWork(folder / "state").keep("a.toml", "one"); }
+    { UnsavedWork(folder / "state").keep("a.toml", "one", 0); }
     UnsavedWork next(folder / "state");
     ASSERT_EQ(next.find("a.toml"), "one");
     next.pass_found();
@@ -66,12 +66,12 @@ TEST_F(Unsaved, ThatAWindowPassesIsLeftForTheNext) {
 
 TEST_F(Unsaved, IsNotOfferedWhileItsWindowIsOpen) {
     UnsavedWork open(folder / "state");
-    open.keep("a.toml", "one");
+    open.keep("a.toml", "one", 0);
     EXPECT_EQ(found("a.toml"), std::nullopt);
     UnsavedWork second(folder / "state");
-    second.keep("a.toml", "two");
+    second.keep("a.toml", "two", 0);
     second.forget();
-    open.keep("a.toml", "three");
+    open.keep("a.toml", "three", 0);
     open = UnsavedWork(folder / "state");
     EXPECT_EQ(found("a.toml"), "three");
 }
@@ -79,8 +79,8 @@ TEST_F(Unsaved, IsNotOfferedWhileItsWindowIsOpen) {
 TEST_F(Unsaved, TwoWindowsOfOneFileKeepBoth) {
     {
         UnsavedWork a(folder / "state"), b(folder / "state");
-        a.keep("a.toml", "one");
-        b.keep("a.toml", "two");
+        a.keep("a.toml", "one", 0);
+        b.keep("a.toml", "two", 0);
     }
     UnsavedWork next(folder / "state");
     std::vector<std::string> all;
@@ -93,7 +93,7 @@ TEST_F(Unsaved, TwoWindowsOfOneFileKeepBoth) {
 }
 
 TEST_F(Unsaved, IsOfferedToOneWindowOnly) {
-    { UnsavedWork(folder / "state").keep("a.toml", "one"); }
+    { UnsavedWork(folder / "state").keep("a.toml", "one", 0); }
     UnsavedWork first(folder / "state");
     EXPECT_EQ(first.find("a.toml"), "one");
     EXPECT_EQ(found("a.toml"), std::nullopt);
@@ -101,19 +101,19 @@ TEST_F(Unsaved, IsOfferedToOneWindowOnly) {
 
 TEST_F(Unsaved, IsGoneOnceItIsSavedAndMayComeAgain) {
     UnsavedWork work(folder / "state");
-    work.keep("a.toml", "one");
+    work.keep("a.toml", "one", 0);
     work.forget();
     EXPECT_TRUE(is_empty());
-    work.keep("a.toml", "two");
+    work.keep("a.toml", "two", 0);
     fs::remove_all(folder / "state");  // somebody clears up
-    work.keep("a.toml", "three");
+    work.keep("a.toml", "three", 0);
     work = UnsavedWork(folder / "state");
     EXPECT_EQ(found("a.toml"), "three");
 }
 
 TEST_F(Unsaved, WhereNothingCanBeWrittenIsSaid) {
     UnsavedWork work("/dev/null/state");
-    EXPECT_THROW(work.keep("a.toml", "one"), std::runtime_error);
+    EXPECT_THROW(work.keep("a.toml", "one", 0), std::runtime_error);
     EXPECT_EQ(work.find("a.toml"), std::nullopt);
 }
 
