@@ -213,6 +213,51 @@ TEST_F(File, AValueThatIsBeingTypedIsSaved) {
     EXPECT_TRUE(becomes_unsaved(false));
 }
 
+TEST_F(File, AColourOfTooFewDigitsIsNone) {
+    open(
+        "uniform vec3 tint; //@ #336699\n"
+        "void mainImage(out vec4 c, in vec2 p) { c = vec4(tint, 1); }\n");
+    const Colour before{51, 102, 153};
+    ASSERT_TRUE(eventually([&] { return pixel() == before; })) << pixel();
+    screen_->tap("Control_L+space");
+    settle();
+    screen_->click({1160, 89});
+    screen_->tap("Control_L+a");
+    screen_->type("12");
+    screen_->tap("Return");
+    settle();
+    EXPECT_EQ(pixel(), before);
+    screen_->click({1160, 89});
+    screen_->tap("Control_L+a");
+    screen_->type("102030");
+    screen_->tap("Return");
+    EXPECT_TRUE(eventually([&] { return pixel() == Colour{16, 32, 48}; })) << pixel();
+}
+
+// F6 among letters goes on to the next panel, whose arrows the scene does not see.
+TEST_F(File, F6LeavesAFieldOfText) {
+    open(
+        "uniform float level; //@ 0.2 [0, 1]\n"
+        "void mainImage(out vec4 c, in vec2 p) { c = vec4(level, 0, 0, 1); }\n");
+    screen_->tap("Control_L+space");
+    screen_->tap("Control_L+f");
+    settle();
+    screen_->type("level");
+    screen_->tap("F6");
+    settle();
+    screen_->tap("F6");
+    settle();
+    screen_->type("x");  // into no field: the row stays
+    screen_->tap("Control_L+f");
+    settle();
+    screen_->tap("Return");
+    settle();
+    screen_->tap("space");
+    settle();
+    screen_->tap("Right");
+    EXPECT_TRUE(eventually([&] { return pixel().r > 51; })) << pixel();
+}
+
 TEST_F(File, ThePanelsHaveTheKeysFromF6OrCtrlFToEsc) {
     open(
         "uniform sampler2D keys; //@ keyboard\n"

@@ -131,6 +131,22 @@ TEST_F(Work, EveryWayOutAsksFirst) {
     EXPECT_EQ(kept(), "");
 }
 
+TEST_F(Work, ANewSceneIsWrittenOnceNothingIsInTheWay) {
+    open_look();
+    change();
+    screen_->tap("Control_L+o");
+    settle();
+    screen_->click({48, 99});  // New…
+    EXPECT_TRUE(asks());       // what the new scene is called
+    settle();
+    screen_->tap("Return");  // and then what becomes of the change
+    settle();
+    screen_->tap("Escape");
+    EXPECT_TRUE(asks_no_more());
+    EXPECT_FALSE(fs::exists(folder_->path() / "new.frag"));
+    EXPECT_TRUE(becomes_unsaved(true));
+}
+
 TEST_F(Work, WhatACrashInterruptsIsOfferedAtTheNextStart) {
     open_look();
     const int changed = change();

@@ -88,10 +88,12 @@ private:
     struct Leaving {
         enum class For { quit, open, revert, record } what = For::quit;
         std::filesystem::path file;  // to be opened
+        std::string new_from = {};   // and made before, of this
     };
     void leave(const Leaving& leaving);  // asks, or goes
     bool takes_away(Leaving::For what) const;
     void go(Leaving leaving);
+    void open_new(const Leaving& leaving);
     void take_answer(Answer answer);
     void open(const std::filesystem::path& file);  // unasked
     void import_or_open(const std::filesystem::path& file);

@@ -123,7 +123,9 @@ bool PlaygroundWindow::run_shortcut(int key, int modifiers) {
     if (leaving_ || offer_ || overwriting_) return true;  // a question waits
     // What a person types into a field, and undoes there, is not meant for the window. Panels that
     // have the keyboard want none of the function keys.
-    const bool is_function = key >= GLFW_KEY_F1 && key <= GLFW_KEY_F25 && !panels_.takes_text();
+    const bool moves_on = *action == Action::next_panel || *action == Action::panel_before;
+    const bool is_function =
+        moves_on || (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F25 && !panels_.takes_text());
     const bool plain = (modifiers == 0 || modifiers == GLFW_MOD_SHIFT) && !is_function;
     const bool undoes = *action == Action::undo || *action == Action::redo;
     if ((plain && (panels_.takes_keyboard() || settings_.keys)) || (undoes && panels_.takes_text()))

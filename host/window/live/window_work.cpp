@@ -174,11 +174,20 @@ void PlaygroundWindow::go(Leaving leaving) {
             values_known_ = false;
             return window_.close();
         case Leaving::For::open:
-            return import_or_open(leaving.file);
+            return leaving.new_from.empty() ? import_or_open(leaving.file) : open_new(leaving);
         case Leaving::For::revert:
             return revert();
         case Leaving::For::record:
             return start_recording();
+    }
+}
+
+// Written once nothing is in the way: a question that is cancelled leaves no file.
+void PlaygroundWindow::open_new(const Leaving& leaving) {
+    try {
+        import_or_open(write_new_scene(leaving.file, leaving.new_from));
+    } catch (const std::runtime_error& error) {
+        notice(error.what());
     }
 }
 
@@ -274,11 +283,7 @@ void PlaygroundWindow::list_files() {
 }
 
 void PlaygroundWindow::make_new_scene(const NewScene& wanted) {
-    try {
-        leave({Leaving::For::open, write_new_scene(wanted.file, wanted.from)});
-    } catch (const std::runtime_error& error) {
-        notice(error.what());
-    }
+    leave({Leaving::For::open, wanted.file, wanted.from});
 }
 
 // What is no text is no scene, and takes no scene's place.
@@ -415,8 +420,7 @@ void PlaygroundWindow::revert() {
 void PlaygroundWindow::tell_overruled() {
     const std::vector<std::string> names = playground_.take_overruled();
     if (names.empty()) return;
-    // Undo has what stood here; where the window ends before anything is saved, the next one offers
-    // it.
+    // Undo has what stood here; the next window offers it where nothing is saved before.
     if (kept()) unsaved_work_.set_aside(place_of(playground_.tweaks.shown()));
     kept().reset();
     notice(fmt::format("{} was edited, and says otherwise of {}; {} brings back what stood here",

@@ -51,6 +51,7 @@ struct TweaksState {
     Edits edits;
     std::string typed, typed_text;  // the tweak whose value is being typed, and what stands there
     bool typing_begins = false, is_typing = false;
+    std::string hex_of, hex;    // the colour whose digits are being typed, and those
     std::string told, told_of;  // what became of a value that was typed, and of which tweak
     TweakValue told_at{};       // which it has since; said of no other
     std::string focus;          // the tweak whose control is to have the keyboard

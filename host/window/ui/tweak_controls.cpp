@@ -9,7 +9,10 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <cmath>
+#include <optional>
 
 namespace glint {
 namespace {
@@ -212,6 +215,42 @@ void pad(Row& row) {
     ImGui::EndGroup();
 }
 
+// What stands in the text field that was drawn last, or in one of those of a group, while it has
+// the keyboard.
+std::optional<std::string> active_text() {
+    const ImGuiInputTextState& field = GImGui->InputTextState;
+    if (!ImGui::IsItemActive() || field.ID == 0 || field.ID != ImGui::GetActiveID())
+        return std::nullopt;
+    std::array<char, 64> text{};
+    ImTextStrToUtf8(text.data(), static_cast<int>(text.size()), field.TextW.Data, nullptr);
+    return text.data();
+}
+
+// ImGui takes "12" for #120000. Of fewer digits than a colour has nothing comes, and it is said.
+bool is_whole_colour(const std::string& text, int components) {
+    const auto digits =
+        std::ranges::count_if(text, [](unsigned char c) { return std::isxdigit(c) != 0; });
+    return digits == 2 * components;
+}
+
+// False while too few digits are typed.
+bool takes_digits(Row& row) {
+    TweaksState& state = row.state;
+    const int count = component_count(row.tweak.type);
+    if (const auto text = active_text()) {
+        state.hex_of = row.tweak.name;
+        state.hex = *text;
+        return is_whole_colour(state.hex, count);
+    }
+    if (state.hex_of != row.tweak.name) return true;
+    state.hex_of.clear();
+    if (is_whole_colour(state.hex, count)) return true;
+    row.tell(fmt::format("'{}' is not {}; it stays {}", state.hex, expected_value(row.tweak),
+                         format_value(row.tweak, row.value)),
+             row.value);
+    return false;
+}
+
 // Colours beyond 1 (light, not paint) are shown as numbers.
 void colour(Row& row) {
     const int count = component_count(row.tweak.type);
@@ -229,8 +268,9 @@ void colour(Row& row) {
                                                         flags | ImGuiColorEditFlags_AlphaBar |
                                                             ImGuiColorEditFlags_AlphaPreviewHalf)
                                     : ImGui::ColorEdit3("##colour", rgba.data(), flags);
+    const bool is_whole = is_light || takes_digits(row);
     take_focus(row);
-    if (!changed) return;
+    if (!changed || !is_whole) return;
     TweakValue to = row.value;
     for (int i = 0; i < count; ++i)
         to[static_cast<std::size_t>(i)] = rgba[static_cast<std::size_t>(i)];

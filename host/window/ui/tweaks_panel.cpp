@@ -134,8 +134,14 @@ std::vector<Group> groups_of(const Scene& scene, const std::string& search) {
 
 bool group_heading(Build& build, const Group& group, bool is_searched) {
     const Theme& theme = build.theme;
-    const auto changed = std::ranges::count_if(
-        group.tweaks, [&](std::size_t index) { return build.tweaks.changed(index); });
+    // As of its rows: a dot, and how many differ from the file; else a ring, and how many of the
+    // file's differ from the defaults.
+    const auto unsaved = std::ranges::count_if(
+        group.tweaks, [&](std::size_t index) { return !build.tweaks.is_as_written(index); });
+    const auto changed =
+        unsaved > 0 ? unsaved : std::ranges::count_if(group.tweaks, [&](std::size_t index) {
+            return build.tweaks.changed(index);
+        });
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x;
     if (is_searched) ImGui::SetNextItemOpen(true);
@@ -150,7 +156,11 @@ bool group_heading(Build& build, const Group& group, bool is_searched) {
     const float y = corner.y + 0.5f * ImGui::GetFrameHeight();
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddText({x, y - 0.5f * ImGui::GetFontSize()}, colours::kAccent, count.c_str());
-    list.AddCircleFilled({x - theme.px(7), y}, theme.px(2.5f), colours::kAccent);
+    const ImVec2 dot{x - theme.px(7), y};
+    if (unsaved > 0)
+        list.AddCircleFilled(dot, theme.px(2.5f), colours::kAccent);
+    else
+        list.AddCircle(dot, theme.px(2.5f), colours::kAccent, 0, theme.px(1));
     return open;
 }
 
