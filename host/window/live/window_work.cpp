@@ -341,7 +341,7 @@ bool PlaygroundWindow::save(const fs::path& file, Over over) {
     stop_recording();
     const Preset preset = preset_to_save();
     if (!write_look(preset, file)) return false;
-    unsaved_work_.forget_aside();
+    if (file == file_) unsaved_work_.forget_aside();
     notice(fmt::format("{} saved", file.filename().string()));
     recorded_.clear();
     start_time_.reset();
