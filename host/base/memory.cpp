@@ -1,8 +1,5 @@
 #include "base/memory.h"
 
-#include <sys/resource.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <fstream>
 #include <limits>
@@ -44,15 +41,6 @@ std::size_t left_by(const fs::path& group, const GroupFiles& files) {
     return *limit - std::min(*limit, used - std::min(used, reclaimable));
 }
 
-// What `ulimit -v`, which batch systems set, too, leaves of the addresses.
-std::size_t left_of_addresses() {
-    rlimit limit{};
-    if (::getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return kNoLimit;
-    const std::size_t pages = number_in("/proc/self/statm").value_or(0);
-    const std::size_t used = pages * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
-    return limit.rlim_cur - std::min<std::size_t>(limit.rlim_cur, used);
-}
-
 }  // namespace
 
 // A container sees its own group as the root, under whatever name it has outside: groups that are
@@ -79,8 +67,7 @@ std::size_t memory_left_by_groups(const fs::path& root, std::istream& groups) {
 std::size_t available_memory() {
     const auto kib = number_in("/proc/meminfo", "MemAvailable:");
     std::ifstream groups("/proc/self/cgroup");
-    return std::min({kib ? *kib * 1024 : kNoLimit, left_of_addresses(),
-                     memory_left_by_groups("/sys/fs/cgroup", groups)});
+    return std::min(kib ? *kib * 1024 : kNoLimit, memory_left_by_groups("/sys/fs/cgroup", groups));
 }
 
 }  // namespace glint

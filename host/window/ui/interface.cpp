@@ -102,7 +102,7 @@ Wishes Interface::build(const Facts& facts, const TweakValues& tweaks, const Tra
     start_picture(build);
     if (screen.x >= 1.0f && screen.y >= 1.0f && settings.visible) {
         if (!facts.shows_picture && !facts.file.empty()) ground(build);
-        waiting_label(build);
+        waiting_label(build, diagnostics_.open);
         pixel_grid(build);
         shown_labels(build);
         probe_mark(build);

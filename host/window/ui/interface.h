@@ -121,8 +121,10 @@ void error_line(Build& build);  // where the panels are hidden
 void wipe_handle(Build& build);
 void shown_labels(Build& build);
 void start_picture(Build& build);
-void ground(Build& build);         // where there is no picture
-void waiting_label(Build& build);  // what the first frame waits for
+void ground(Build& build);  // where there is no picture
+// What the first frame waits for; that a list of errors says why it does not come, where that is
+// closed.
+void waiting_label(Build& build, bool list_is_open);
 void pixel_grid(Build& build);
 void notice(Build& build, float alpha);
 

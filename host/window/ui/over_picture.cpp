@@ -99,10 +99,10 @@ void start_picture(Build& build) {
 }
 
 // In the last line of the picture: over one that is known, or over the ground.
-void waiting_label(Build& build) {
+void waiting_label(Build& build, bool list_is_open) {
     const Facts& facts = build.facts;
     const bool is_refused = facts.waits_for.empty() && !facts.scene && !facts.file.empty();
-    if (facts.waits_for.empty() && !is_refused) return;
+    if (facts.waits_for.empty() && (!is_refused || list_is_open)) return;
     const Area& free = build.layout.free;
     const float line = ImGui::GetTextLineHeight() + build.theme.px(6);
     const std::string text = is_refused

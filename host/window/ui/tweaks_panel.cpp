@@ -200,8 +200,10 @@ void tweaks_panel(Build& build, TweaksState& state) {
     begin_body();
     if (has_scene) rows(build, state);
     if (!has_scene)
-        text_in(colours::kDim, build.facts.waits_for.empty() ? "No scene is open."
-                                                             : "They come with the first frame.");
+        text_in(colours::kDim, !build.facts.waits_for.empty() ? "They come with the first frame."
+                               : build.facts.file.empty()
+                                   ? "No scene is open."
+                                   : "They come once the scene has no errors.");
     end_panel(build, PanelId::tweaks);
 }
 
