@@ -51,12 +51,6 @@ const std::vector<std::string> kTweakWords = {"log",      "unit",      "step",  
 constexpr std::string_view kConstructors[] = {"float", "int",  "bool", "vec2",
                                               "vec3",  "vec4", "uint"};
 
-bool fills_sampler(std::string_view word) {
-    constexpr std::string_view kFillers[] = {"pass",   "buffer", "image", "cube",
-                                             "volume", "sound",  "noise", "keyboard"};
-    return is_one_of(word, kFillers);
-}
-
 void TweakParser::parse() {
     while (!words.done()) parse_item();
     check();
@@ -111,7 +105,8 @@ void TweakParser::parse_word(std::size_t at) {
         (word == "log" ? tweak.log : word == "quality" ? tweak.quality : tweak.no_random) = true;
         return;
     }
-    if (!initial && fills_sampler(word) && words.ahead().rest().find('{') == std::string::npos) {
+    if (!initial && is_one_of(word, kFillers) &&
+        words.ahead().rest().find('{') == std::string::npos) {
         words.complain(
             at, fmt::format("{} fills a sampler; declare one, such as uniform sampler2D", word));
         words.rest();

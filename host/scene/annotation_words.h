@@ -12,6 +12,10 @@
 
 namespace glint {
 
+// What fills a sampler, as the first word of its annotation.
+inline constexpr std::array<std::string_view, 8> kFillers = {
+    "pass", "buffer", "image", "cube", "volume", "sound", "noise", "keyboard"};
+
 // Walks over an annotation's items and collects complaints. Every reading function leaves it at the
 // next item.
 class Words {

@@ -131,11 +131,10 @@ void SamplerParser::parse_source(std::string_view word, std::size_t at) {
             set_defaults(sampler, Source::keyboard);
         return;
     }
-    static const std::vector<std::string> kSources = {"pass",   "buffer", "image", "cube",
-                                                      "volume", "sound",  "noise", "keyboard"};
+    static const std::vector<std::string> known(kFillers.begin(), kFillers.end());
     words.complain(at, fmt::format("{} fills no sampler; write pass, buffer, image, cube, volume, "
                                    "sound, noise or keyboard{}",
-                                   in_quotes(word), did_you_mean(word, kSources)));
+                                   in_quotes(word), did_you_mean(word, known)));
 }
 
 void SamplerParser::parse_target(std::string_view what) {
