@@ -14,7 +14,12 @@ namespace {
 
 class Finder {
 public:
-    explicit Finder(const Reading& reading) : reading_(reading) {}
+    explicit Finder(const Reading& reading) : reading_(reading) {
+        for (const Function& function : reading.functions)
+            for (const std::uint32_t parameter : function.parameters)
+                if (reading.declarations[parameter].is_out)
+                    handing_back_.insert(reading.word(function.name));
+    }
 
     std::vector<Finding> find() {
         for (const std::uint32_t sign : reading_.places_of(
@@ -35,17 +40,19 @@ private:
     std::uint32_t count() const { return static_cast<std::uint32_t>(reading_.tokens.size()); }
     const Token& token(std::uint32_t at) const { return reading_.tokens[at]; }
 
-    // What a call gives back, and what `?:`, a comma or an assignment in parentheses comes to.
+    // What a call gives back, and what `?:`, a comma or an assignment in parentheses comes to. Of
+    // parentheses a text may have any number.
     bool is_value(TokenRange range) const {
-        if (range.empty()) return false;
-        if (token(range.begin).is_word()) return range.size() > 1 && token(range.begin + 1).is("(");
-        const std::uint32_t close = reading_.close_of(range.begin);
-        if (!token(range.begin).is("(") || close == kNone) return false;
-        for (std::uint32_t at = range.begin + 1; at < close; ++at) {
-            if (token(at).is("?") || token(at).is(",") || is_assignment(token(at))) return true;
-            if (const std::uint32_t inner = reading_.close_of(at); inner != kNone) at = inner;
+        while (!range.empty() && token(range.begin).is("(")) {
+            const std::uint32_t close = reading_.close_of(range.begin);
+            if (close == kNone) return false;
+            for (std::uint32_t at = range.begin + 1; at < close; ++at) {
+                if (token(at).is("?") || token(at).is(",") || is_assignment(token(at))) return true;
+                if (const std::uint32_t inner = reading_.close_of(at); inner != kNone) at = inner;
+            }
+            range = {range.begin + 1, close};
         }
-        return is_value({range.begin + 1, close});
+        return range.size() > 1 && token(range.begin).is_word() && token(range.begin + 1).is("(");
     }
 
     void look_at(TokenRange range) {
@@ -60,7 +67,9 @@ private:
 
     // Those that all functions of the call's name hand back.
     void look_at_arguments(const Call& call) {
-        if (call.function == kNone) return;
+        const std::string_view name = reading_.word(call.name);
+        const bool is_of_glsl = hands_out(name, 1) || hands_out(name, 2) || hands_out(name, 3);
+        if (call.function == kNone || (!is_of_glsl && !handing_back_.contains(name))) return;
         const std::vector<TokenRange> arguments = reading_.arguments_of(call);
         for (std::size_t i = 0; i < arguments.size(); ++i)
             if (is_value(arguments[i]) && is_handed_back(call, i)) look_at(arguments[i]);
@@ -92,6 +101,7 @@ private:
     }
 
     const Reading& reading_;
+    std::unordered_set<std::string_view> handing_back_;  // functions with an `out` parameter
     std::vector<Finding> found_;
 };
 

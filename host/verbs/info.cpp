@@ -330,8 +330,6 @@ void print_tables(const Inspection& seen, const Json& json) {
 
 void run_info(const InfoOptions& options, const Stopwatch&) {
     const Preset preset = open_preset(options.view);
-    if (!options.source.empty() && options.view.json)
-        throw UsageError("--source prints GLSL, and --json an object; leave one of them out.");
     if (!options.source.empty()) {
         const bool sound = options.source == "sound" && preset.scene.has_sound;
         const std::size_t pass = sound ? kSoundPass : find_pass(preset.scene, options.source);
@@ -360,7 +358,8 @@ void run_info(const InfoOptions& options, const Stopwatch&) {
 void declare(CLI::App& verb, InfoOptions& info) {
     add_view(verb, info.view);
     verb.add_option("--source", info.source, "print the GLSL that the driver sees for a pass")
-        ->type_name(kPass);
+        ->type_name(kPass)
+        ->excludes("--json");
     add_examples(verb, {"glint info presets/christmas.toml",
                         "glint info presets/water.toml --source image"});
 }

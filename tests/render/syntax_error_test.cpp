@@ -221,6 +221,11 @@ TEST_F(SyntaxErrors, StandWhereTheMistakeIsAndSayWhatToWrite) {
               "no int a float by itself: write 1.0 for 1, or float(i)");
 }
 
+TEST_F(SyntaxErrors, OfParenthesesWithoutNumberTheStackIsNotFilled) {
+    const std::string open(200'000, '('), close(200'000, ')');
+    EXPECT_NE(first_complaint(in_image(open + "c" + close + " = vec4(1);")), "");
+}
+
 TEST_F(SyntaxErrors, OfTypesThatDoNotFitSayWhatFits) {
     const std::pair<const char*, const char*> cases[] = {
         {"float a = p;", "; take one of its components, such as .x"},
