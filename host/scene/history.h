@@ -7,6 +7,7 @@
 
 #include "scene/scene.h"
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -15,6 +16,13 @@ namespace glint {
 
 // Two sets of values, of which one is shown.
 enum class TweakSet { a, b };
+inline constexpr std::array kTweakSets = {TweakSet::a, TweakSet::b};
+constexpr std::size_t place_of(TweakSet set) {
+    return set == TweakSet::a ? 0 : 1;
+}
+constexpr TweakSet other_set(TweakSet set) {
+    return set == TweakSet::a ? TweakSet::b : TweakSet::a;
+}
 
 // A value that outlives its tweak.
 struct KeptValue {

@@ -141,12 +141,12 @@ TweakValues::TweakValues(std::span<const Tweak> tweaks, std::span<const TweakVal
 
 std::vector<TweakValue> TweakValues::values(TweakSet set) const {
     std::vector<TweakValue> values;
-    for (const Held& held : held_) values.push_back(held.values[set == TweakSet::a ? 0 : 1]);
+    for (const Held& held : held_) values.push_back(held.values[place_of(set)]);
     return values;
 }
 
 const TweakValue& TweakValues::value(std::size_t index) const {
-    return held_[index].values[shown_ == TweakSet::a ? 0 : 1];
+    return held_[index].values[place_of(shown_)];
 }
 
 bool TweakValues::changed(std::size_t index) const {
@@ -286,7 +286,7 @@ void TweakValues::show(TweakSet set) {
 
 void TweakValues::copy_to_other() {
     commit();
-    const TweakSet other = shown_ == TweakSet::a ? TweakSet::b : TweakSet::a;
+    const TweakSet other = other_set(shown_);
     history_.begin(other);
     for (std::size_t i = 0; i < held_.size(); ++i) change(other, i, value(i));
     commit();
@@ -365,7 +365,7 @@ void TweakValues::rebase(std::span<const Tweak> tweaks, std::span<const TweakVal
 std::vector<TweakValues::Waiting> TweakValues::waiting() const {
     std::vector<Waiting> list;
     for (const Held& held : absent_) {
-        const TweakValue& value = held.values[shown_ == TweakSet::a ? 0 : 1];
+        const TweakValue& value = held.values[place_of(shown_)];
         if (value != held.written) list.push_back({held.tweak, value});
     }
     return list;
@@ -389,7 +389,7 @@ bool TweakValues::restore(Held& held, TweakSet set, const KeptValue& kept) {
 }
 
 TweakValue& TweakValues::slot(Held& held, TweakSet set) {
-    return held.values[set == TweakSet::a ? 0 : 1];
+    return held.values[place_of(set)];
 }
 
 TweakValues::Held* TweakValues::find(std::string_view name) {

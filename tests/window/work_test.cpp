@@ -5,6 +5,7 @@
 #include <functional>
 #include <thread>
 #include <tuple>
+#include <utility>
 
 using namespace std::chrono_literals;
 
@@ -46,6 +47,19 @@ protected:
         }));
         EXPECT_TRUE(becomes_unsaved(true));
         return red();
+    }
+    // In the sets A and B, to other values; returns what red they have.
+    std::pair<int, int> change_both() {
+        const int first = change();
+        screen_->click(kSetB);
+        int second = change();
+        while (second == first) {  // by chance
+            screen_->tap("Control_L+g");
+            settle();
+            second = red();
+        }
+        EXPECT_TRUE(eventually([&] { return levels_in(kept()) == 2; })) << kept();
+        return {first, second};
     }
     static long levels_in(const std::string& presets) {
         long count = 0;
@@ -376,17 +390,34 @@ TEST_F(Work, OfTheSetThatIsHiddenIsAskedForAndOutlivesACrash) {
     EXPECT_EQ(read(look()).find("level = 0.2\n"), std::string::npos) << read(look());
 }
 
+TEST_F(Work, OfBothSetsIsAskedForWhereThatOfOneIsDiscarded) {
+    open_look();
+    change_both();
+    screen_->tap("Control_L+q");
+    EXPECT_TRUE(asks());
+    screen_->tap("Right");
+    screen_->tap("Return");  // Discard
+    EXPECT_TRUE(eventually([&] { return levels_in(kept()) == 1; })) << "that of the other set";
+    EXPECT_TRUE(asks());
+    EXPECT_TRUE(glint_->runs());
+    EXPECT_TRUE(enter_until([&] { return !glint_->runs(); }));
+    EXPECT_EQ(read(look()).find("level = 0.2\n"), std::string::npos) << read(look());
+    EXPECT_EQ(kept(), "");
+}
+
+// Elsewhere, the work of the hidden set is unsaved still.
+TEST_F(Work, OfTheHiddenSetOutlivesThatTheOtherIsSavedElsewhere) {
+    open_look();
+    change_both();
+    screen_->tap("Control_L+Shift_L+s");
+    const fs::path copy = folder_->path() / "look-2.toml";
+    EXPECT_TRUE(enter_until([&] { return fs::exists(copy); })) << glint_->errors();
+    EXPECT_TRUE(eventually([&] { return levels_in(kept()) == 1; })) << kept();
+}
+
 TEST_F(Work, OfBothSetsOutlivesACrash) {
     open_look();
-    const int first = change();
-    screen_->click(kSetB);
-    int second = change();
-    while (second == first) {  // by chance
-        screen_->tap("Control_L+g");
-        settle();
-        second = red();
-    }
-    ASSERT_TRUE(eventually([&] { return levels_in(kept()) == 2; })) << kept();
+    const auto [first, second] = change_both();
     glint_->signal(SIGKILL);
     glint_->wait();
     open_look();
@@ -493,87 +524,6 @@ TEST_F(Work, WrongOptionsAreNoWindow) {
         EXPECT_EQ(glint_->wait().code, 2);
         EXPECT_TRUE(glint_->says(words)) << glint_->errors();
     }
-}
-
-// The picture keeps a preset's aspect, and what is saved is what was seen.
-class Aspect : public Work {
-protected:
-    static constexpr Colour kBar{18, 18, 20};
-    // Red tells where the mouse is, green how wide the picture is, in sixteenths of 1280 pixels.
-    void open_square(const std::vector<std::string>& more = {}) {
-        write(scene(),
-              "void mainImage(out vec4 c, in vec2 p) {\n"
-              "    c = vec4(iMouse.x / iResolution.x, iResolution.x / 1280.0,\n"
-              "             iMouse.y / iResolution.y, 1);\n}\n");
-        write(look(), "scene = \"scene.frag\"\nsize = [640, 640]\n");
-        std::vector<std::string> all = {look().string()};
-        all.insert(all.end(), more.begin(), more.end());
-        start(all);
-        ASSERT_TRUE(glint_->says(": shown")) << glint_->errors();
-    }
-};
-
-TEST_F(Aspect, OfAPresetIsTheWindowsAndBarsKeepIt) {
-    open_square();
-    screen_->tap("Tab");
-    EXPECT_EQ(screen_->window_size(), glm::ivec2(640, 640));
-    EXPECT_TRUE(shows({0, 128, 0}, {3, 3}));
-    screen_->resize_window({1280, 640});
-    EXPECT_TRUE(shows(kBar, {317, 300}));
-    EXPECT_TRUE(shows({0, 128, 0}, {323, 300}));
-    EXPECT_TRUE(shows({0, 128, 0}, {957, 300}));
-    EXPECT_TRUE(shows(kBar, {963, 300}));
-    screen_->click({100, 320});  // on a bar: not the scene's
-    screen_->click({480, 480});
-    EXPECT_TRUE(eventually([&] {
-        return screen_->pixel({323, 300}) == Colour{64, 128, 63};  // at the middles of pixels
-    })) << screen_->pixel({323, 300});
-    EXPECT_NE(read(look()).find("size = [640, 640]"), std::string::npos) << read(look());
-    screen_->tap("Control_L+Shift_L+f");
-    EXPECT_TRUE(eventually([&] { return screen_->pixel({3, 300}).g == 255; }));
-    screen_->tap("Control_L+s");
-    EXPECT_TRUE(eventually([&] {
-        return read(look()).find("size = [1280, 640]") != std::string::npos;
-    })) << read(look());
-}
-
-TEST_F(Aspect, OfTheCommandLineWinsAndASceneWithoutOneIsFree) {
-    open_square({"--size", "600x300"});
-    EXPECT_EQ(screen_->window_size(), glm::ivec2(600, 300));
-    EXPECT_TRUE(eventually([&] { return screen_->pixel({3, 297}).g == 120; }));
-    glint_.reset();
-    write(look(), "scene = \"scene.frag\"\n");
-    start({look().string()});
-    screen_->resize_window({640, 640});
-    EXPECT_TRUE(eventually([&] { return screen_->pixel({3, 637}).g == 128; }));
-}
-
-TEST_F(Aspect, TheLineOfAWipeStandsOnThePictureAlone) {
-    write(scene(),
-          "uniform float level; //@ 0.2 [0, 1]\n"
-          "void mainImage(out vec4 c, in vec2 p) { c = vec4(level, 0.2, 0.3, 1); }\n");
-    write(look(), "scene = \"scene.frag\"\nsize = [1280, 360]\n");
-    start({look().string()});
-    ASSERT_TRUE(glint_->says(": shown")) << glint_->errors();
-    screen_->resize_window({1280, 720});
-    EXPECT_TRUE(shows(kBar, {640, 3}));
-    EXPECT_TRUE(shows({51, 51, 76}, {640, 250}));
-    screen_->click({1249, 61});  // the wipe of the tweaks panel
-    EXPECT_TRUE(shows({255, 255, 255}, {640, 250}));
-    EXPECT_TRUE(shows(kBar, {640, 3}));
-}
-
-TEST_F(Aspect, AWindowIsNoLargerThanTheScreenAndEscLeavesFullScreen) {
-    write(scene(), flat({20, 30, 40}));
-    write(look(), "scene = \"scene.frag\"\nsize = [4000, 4000]\n");
-    start({look().string()});
-    ASSERT_TRUE(glint_->says(": shown")) << glint_->errors();
-    EXPECT_EQ(screen_->window_size(), glm::ivec2(720, 720));
-    screen_->tap("F11");
-    EXPECT_TRUE(eventually([&] { return screen_->window_size() == screen_size_; }));
-    EXPECT_TRUE(shows(kBar, {3, 600}));
-    screen_->tap("Escape");
-    EXPECT_TRUE(eventually([&] { return screen_->window_size() == glm::ivec2(720, 720); }));
 }
 
 }  // namespace

@@ -93,6 +93,7 @@ private:
     void leave(const Leaving& leaving);  // asks, or goes
     bool takes_away(Leaving::For what) const;
     void go(Leaving leaving);
+    void discard(const Leaving& leaving);
     void open_new(const Leaving& leaving);
     void take_answer(Answer answer);
     void open(const std::filesystem::path& file);  // unasked
@@ -130,17 +131,19 @@ private:
     Preset preset_to_save() const;
     void lay_options_over();
     void keep_unsaved();
-    void keep_now();
+    void keep_unsaved(TweakSet set);
+    void keep_now(TweakSet set);
     void keep_at_end();
-    bool has_work() const;
+    bool has_work(TweakSet set) const;
     bool is_keeping_due() const;
+    bool is_keeping_due(TweakSet set) const;
     bool is_gone() const;
     void let_go_of_work();
     void find_unsaved();
     ReadPreset read_offer() const;
     void restore();
     struct Kept;
-    Kept work() const;
+    Kept work(TweakSet set) const;
 
     // Studies and checks
     bool follow_findings();  // true when there is something new
@@ -286,7 +289,6 @@ private:
         bool operator==(const Kept&) const = default;
     };
     std::array<std::optional<Kept>, 2> kept_;  // by set, A and B
-    std::optional<Kept>& kept();               // of the one that is shown
     Stopwatch since_kept_;
     static constexpr double kKeepPeriod = 0.5;  // s; a hand that moves does not write all the time
     // What a study or a check is about: the values it began with, and whether they are still those

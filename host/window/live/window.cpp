@@ -295,7 +295,7 @@ void PlaygroundWindow::show_picture() {
         viewer_.show(*buffer, view, view_area());
         return;
     }
-    const auto other = playground_.tweaks.shown() == TweakSet::a ? TweakSet::b : TweakSet::a;
+    const TweakSet other = other_set(playground_.tweaks.shown());
     const Buffer* picture = playground_.picture_of(other);
     show_wipe(*buffer, picture ? *picture : *buffer, view);
 }

@@ -1,5 +1,4 @@
-// No work is lost: saving, what is asked before unsaved work would go, and what is kept of it for
-// the next run.
+// No work is lost: saving, and what is asked before unsaved work would go.
 #include "base/canonical_name.h"
 #include "base/temporary_file.h"
 #include "base/terminal.h"
@@ -28,39 +27,6 @@ namespace fs = std::filesystem;
 std::string read_text(const fs::path& file) {
     std::string why_not;
     return read_bytes(file, why_not).value_or("");
-}
-
-bool same(std::span<const Event> a, std::span<const Event> b) {
-    return std::ranges::equal(a, b, [](const Event& x, const Event& y) {
-        return x.time == y.time && x.key == y.key && x.down == y.down && x.mouse == y.mouse;
-    });
-}
-
-// The channels as a preset spells them.
-std::vector<std::string> channel_texts(const Preset& preset) {
-    std::vector<std::string> texts;
-    for (const Sampler& channel : preset.channels)
-        texts.push_back(
-            toml_braces(toml_channel(channel, preset.scene, preset.file.parent_path())));
-    return texts;
-}
-
-// In whichever order.
-bool same_locks(const Preset& a, const Preset& b) {
-    return std::ranges::is_permutation(a.locked, b.locked);
-}
-
-std::size_t place_of(TweakSet set) {
-    return set == TweakSet::a ? 0 : 1;
-}
-
-TweakSet other_set(TweakSet set) {
-    return set == TweakSet::a ? TweakSet::b : TweakSet::a;
-}
-
-// Unsaved work reads and writes its text as if it stood here.
-fs::path place_beside(const fs::path& place) {
-    return place.parent_path() / "unsaved.toml";
 }
 
 }  // namespace
@@ -104,7 +70,7 @@ bool PlaygroundWindow::is_unsaved_but_values() const {
     const Preset& written = *playground_.as_written();
     return playground_.has_fills() || watch() != written.watch ||
            start_time_.value_or(written.time) != written.time ||
-           !same_locks(playground_.current_preset(), written);
+           !std::ranges::is_permutation(playground_.current_preset().locked, written.locked);
 }
 
 bool PlaygroundWindow::is_unsaved() const {
@@ -215,8 +181,17 @@ void PlaygroundWindow::take_answer(Answer answer) {
     if (answer == Answer::save && save(file_)) leave(leaving);
     if (answer == Answer::save && settings_.save_as) leaving_ = leaving;
     if (overwriting_) overwriting_->then = leaving;
-    if (answer == Answer::discard) playground_.tweaks.forget_waiting();
-    if (answer == Answer::discard) go(leaving);
+    if (answer == Answer::discard) discard(leaving);
+}
+
+// What a person has seen and does not want: of the other set they are asked next.
+void PlaygroundWindow::discard(const Leaving& leaving) {
+    playground_.tweaks.forget_waiting();
+    const bool is_way_out =
+        leaving.what == Leaving::For::quit || leaving.what == Leaving::For::open;
+    if (!is_way_out || !hides_work()) return go(leaving);
+    revert();
+    leave(leaving);
 }
 
 void PlaygroundWindow::open(const fs::path& file) {
@@ -421,8 +396,9 @@ void PlaygroundWindow::tell_overruled() {
     const std::vector<std::string> names = playground_.take_overruled();
     if (names.empty()) return;
     // Undo has what stood here; the next window offers it where nothing is saved before.
-    if (kept()) unsaved_work_.set_aside(place_of(playground_.tweaks.shown()));
-    kept().reset();
+    const std::size_t shown = place_of(playground_.tweaks.shown());
+    if (kept_[shown]) unsaved_work_.set_aside(shown);
+    kept_[shown].reset();
     notice(fmt::format("{} was edited, and says otherwise of {}; {} brings back what stood here",
                        file_.filename().string(), fmt::join(names, ", "), keys_of(Action::undo)));
 }
@@ -443,7 +419,7 @@ void PlaygroundWindow::toggle_recording() {
 void PlaygroundWindow::stop_recording() {
     if (!playground_.recorder.recording()) return;
     recorded_ = with_written_events(playground_.recorder.stop());
-    kept().reset();
+    kept_ = {};
 }
 
 // The command line's tweaks, and the values that it names by --quality, are changes like those by
@@ -461,140 +437,6 @@ void PlaygroundWindow::lay_options_over() {
     }
     playground_.tweaks.set_all(preset.values);
     playground_.tweaks_changed();
-}
-
-// What waits for its tweak is no change that could be saved, and none that may be lost.
-bool PlaygroundWindow::has_work() const {
-    return is_unsaved() || !playground_.tweaks.waiting().empty();
-}
-
-bool PlaygroundWindow::is_keeping_due() const {
-    if (!values_known_) return false;  // what is on the screen is no work on this file
-    const std::optional<Kept>& kept = kept_[place_of(playground_.tweaks.shown())];
-    return has_work() ? kept != work() : kept.has_value();
-}
-
-std::optional<PlaygroundWindow::Kept>& PlaygroundWindow::kept() {
-    return kept_[place_of(playground_.tweaks.shown())];
-}
-
-// Where a person has been asked, or nothing is left to ask of.
-void PlaygroundWindow::let_go_of_work() {
-    if (values_known_ && !playground_.tweaks.waiting().empty())
-        keep_now();
-    else
-        unsaved_work_.forget();
-    unsaved_work_.leave();
-}
-
-PlaygroundWindow::Kept PlaygroundWindow::work() const {
-    const Preset now = preset_to_save();
-    return {now.values,
-            unsaved_events().size(),
-            channel_texts(*playground_.preset()),
-            now.locked,
-            now.watch,
-            now.time,
-            playground_.tweaks.waiting()};
-}
-
-// Whether the set that is shown has work that would be lost once it is hidden.
-void PlaygroundWindow::note_work() {
-    const Preset* written = values_known_ ? playground_.as_written() : nullptr;
-    if (!written) return;
-    for (const TweakSet set : {TweakSet::a, TweakSet::b}) {
-        const std::vector<TweakValue> values = playground_.tweaks.values(set);
-        std::vector<TweakValue>& at_rest = at_rest_[place_of(set)];
-        // Another text may have more tweaks, or fewer.
-        const bool is_other_text = !at_rest.empty() && values.size() != at_rest.size();
-        if (at_rest.empty()) at_rest = written->values;
-        const bool has_rested = is_other_text && !worked_in_[place_of(set)];
-        if (values == written->values || has_rested) at_rest = values;
-    }
-    const TweakSet shown = playground_.tweaks.shown();
-    worked_in_[place_of(shown)] = has_worked(shown);
-}
-
-// As soon as something changes, and before the frame that shows it, which may be the last one.
-void PlaygroundWindow::keep_unsaved() {
-    note_work();
-    if (!is_keeping_due()) return;
-    if (!has_work()) {
-        unsaved_work_.forget(place_of(playground_.tweaks.shown()));
-        return kept().reset();
-    }
-    if (!kept() || since_kept_.ms() >= kKeepPeriod * 1000.0) keep_now();
-}
-
-void PlaygroundWindow::keep_now() {
-    since_kept_.restart();
-    kept() = work();
-    Preset preset = preset_to_save();
-    for (const TweakValues::Waiting& one : playground_.tweaks.waiting()) {
-        preset.scene.tweaks.push_back(one.tweak);
-        preset.values.push_back(one.value);
-    }
-    const PresetText text = write_preset(preset, place_beside(place_));
-    try {
-        if (!text.text) throw std::runtime_error(to_string(text.diagnostics.front()));
-        unsaved_work_.keep(place_, *text.text, place_of(playground_.tweaks.shown()));
-    } catch (const std::runtime_error& error) {
-        notice(fmt::format("Unsaved work cannot be kept for the next start. {}", error.what()));
-    }
-}
-
-// Nobody can be asked any more.
-void PlaygroundWindow::keep_at_end() {
-    stop_recording();
-    show_hidden_work();
-    if (values_known_ && has_work()) keep_now();
-}
-
-// The offer as the text on the screen, which may change meanwhile, takes it.
-ReadPreset PlaygroundWindow::read_offer() const {
-    return parse_preset(*offer_, place_beside(place_), playground_.preset()->scene);
-}
-
-// The newest work that a run has left on this file, unless it is what the file says anyway.
-void PlaygroundWindow::find_unsaved() {
-    while ((offer_ = unsaved_work_.find(place_))) {
-        const ReadPreset read = read_offer();
-        if (read.preset &&
-            (read.preset->values != playground_.tweaks.values() ||
-             !same(read.preset->events, playground_.preset()->events) ||
-             !same_locks(*read.preset, *playground_.as_written()) ||
-             read.preset->watch != watch() || read.preset->time != playground_.as_written()->time ||
-             channel_texts(*read.preset) != channel_texts(*playground_.preset())))
-            return;
-        if (!read.preset)
-            notice(fmt::format("The work that was kept of {} is damaged; it stays in {}.",
-                               place_.filename().string(), unsaved_work_.found_folder().string()));
-        // Tweaks that the text lacks today it may have again tomorrow.
-        if (!read.diagnostics.empty())
-            unsaved_work_.pass_found();
-        else
-            unsaved_work_.discard_found();
-    }
-}
-
-void PlaygroundWindow::restore() {
-    const ReadPreset read = read_offer();
-    if (!read.preset) return;
-    // What was restored before stays: of the last run's two sets this is the other one.
-    if (std::exchange(has_restored_, true))
-        playground_.tweaks.show(other_set(playground_.tweaks.shown()));
-    if (!same(read.preset->events, playground_.as_written()->events))
-        recorded_ = read.preset->events;
-    const std::vector<std::string> mine = channel_texts(*playground_.preset());
-    const std::vector<std::string> found = channel_texts(*read.preset);
-    for (std::size_t i = 0; i < found.size(); ++i)
-        if (found[i] != mine[i]) playground_.fill(read.preset->channels[i]);
-    playground_.tweaks.set_all(read.preset->values);
-    playground_.tweaks.set_locks(read.preset->locked);
-    if (read.preset->watch != watch()) watch_ = read.preset->watch;
-    if (read.preset->time != playground_.as_written()->time) start_time_ = read.preset->time;
-    playground_.tweaks_changed();
-    if (is_unsaved()) keep_now();  // before what was found goes
 }
 
 }  // namespace glint
