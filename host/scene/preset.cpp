@@ -407,10 +407,9 @@ void Reader::read_channel(std::size_t index, const toml::table& table) {
 
 void Reader::read_channel_source(Sampler& sampler, std::string_view key, const toml::node& node) {
     if (key == "keyboard") {
-        const auto* on = node.as_boolean();
-        if (!on) warning(node, "keyboard is a switch; write keyboard = true");
-        if (on && on->get()) set_defaults(sampler, Source::keyboard);
-        return;
+        if (node.value_exact<bool>().value_or(false))
+            return set_defaults(sampler, Source::keyboard);
+        return warning(node, "keyboard is a switch; write keyboard = true, or leave it out");
     }
     if (key == "cube" && node.is_array()) return read_cube_files(sampler, *node.as_array());
     const auto text = node.value<std::string>();

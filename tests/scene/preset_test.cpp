@@ -171,6 +171,7 @@ TEST(Preset, WarnsAtThePlaceAndLoadsTheRest) {
         {"[channels]\niChannel0 = { noise = \"rgba\" }", "size of the noise is missing"},
         {"[channels]\niChannel0 = { buffer = \"wave\" }", "did you mean 'waves'?"},
         {"[channels]\niChannel0 = { keyboard = 1 }", "keyboard is a switch"},
+        {"[channels]\niChannel0 = { keyboard = false }", "keyboard is a switch"},
         {"[channels]\niChannel0 = { keyboard = true, noise = \"8\" }", "has one source"},
         {"[channels]\niChannel0 = { keyboard = true, wrap = \"x\" }", "wrap is \"clamp\""},
         {"[channels]\niChannel0 = { keyboard = true, filter = 1 }", "filter is \"nearest\""},
