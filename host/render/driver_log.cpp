@@ -147,7 +147,7 @@ void LogReader::add(Said said) {
     said.words += advice_on_types(said.words);
     if (const std::string name = unknown_name(said.words); !name.empty()) {
         const bool is_called = said.words.starts_with("no function");
-        said.words += taken_apart().help_with(name, is_called, unknown_);
+        said.words += taken_apart().help_with(said, name, is_called, unknown_);
         // Of a name that a function does not know it is told once.
         if (!told_.emplace(name, taken_apart().block_of(said)).second) said.words += kAgain;
     }

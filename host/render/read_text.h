@@ -55,7 +55,7 @@ public:
 
     // "; did you mean 'density'?" of a name that is not declared, or "". Nor are the `unknown`
     // ones.
-    std::string help_with(std::string_view name, bool is_called,
+    std::string help_with(const Said& said, std::string_view name, bool is_called,
                           const std::set<std::string, std::less<>>& unknown) const;
     // Which of the blocks outside of all others that is in; another for each function.
     std::ptrdiff_t block_of(const Said& said) const;
@@ -69,7 +69,9 @@ private:
     std::string help_at(std::string_view words, const Spot& spot) const;
     bool is_declared_below(std::string_view name) const;
     bool is_declared(std::string_view name, bool as_function) const;
-    std::string meant_by(std::string_view mistyped, bool is_called,
+    std::size_t token_of(const Said& said) const;
+    std::string ended_before(std::string_view name, std::size_t at) const;
+    std::string meant_by(std::string_view mistyped, std::size_t at, bool is_called,
                          const std::set<std::string, std::less<>>& unknown) const;
     void find_lines();
     std::size_t offset(int line, int column) const;

@@ -421,30 +421,6 @@ TEST_F(Complaints, DoNotRepeatThemselvesForEachExpressionAroundAMistake) {
     }
 }
 
-TEST_F(Complaints, OfANameThatIsMistypedHaveTheNearest) {
-    const std::string text =
-        "#define PIXEL 3.0\nuniform float density; //@ 1 \"d\"\n"
-        "float turbulence(vec2 p) { return p.x; }\n";
-    const std::pair<const char*, const char*> cases[] = {
-        {"densty", "`densty' undeclared; did you mean 'density'?"},
-        {"itime", "`itime' undeclared; did you mean 'iTime'?"},
-        {"PIXL", "`PIXL' undeclared; did you mean 'PIXEL'?"},
-        {"turbulense(u)", "no function with name 'turbulense'; did you mean 'turbulence'?"},
-        {"nrmalize(u).x", "no function with name 'nrmalize'; did you mean 'normalize'?"},
-        {"turbulence", "`turbulence' undeclared; it is a function: call it, turbulence(\u2026)"},
-        {"foo", "`foo' undeclared"},
-        {"unlikeAnything", "`unlikeAnything' undeclared"},
-    };
-    for (const auto& [expression, words] : cases) {
-        const Diagnostics list = complaints(fmt::format(
-            "{}void mainImage(out vec4 c, in vec2 u) {{ for (;;) break; c = vec4({} * density * "
-            "PIXEL * turbulence(u)); }}\n",
-            text, expression));
-        ASSERT_EQ(list.size(), 1u) << to_text(list);
-        EXPECT_EQ(list[0].text, words);
-    }
-}
-
 // What the driver read: a prologue of ten lines, and four of a scene, each of sixty characters.
 PassText fourteen_lines() {
     PassText text;

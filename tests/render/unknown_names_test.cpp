@@ -1,0 +1,81 @@
+// What a person is told of a name that nothing declares where it stands.
+#include "fixture.h"
+
+namespace glint::unknown_names_test {
+namespace {
+
+using UnknownNames = GlTest;
+
+// The only one.
+std::string complaint(const std::string& text) {
+    const TestFolder folder;
+    const ReadPreset read = read_scene_text(folder, text, {});
+    if (!read.preset) return to_text(read.diagnostics);
+    const Diagnostics list =
+        compile_scene(*read.preset, {.root = kImagePass, .program = {}}).diagnostics;
+    return list.size() == 1 ? list[0].text : to_text(list);
+}
+
+TEST_F(UnknownNames, ThatAreMistypedHaveTheNearest) {
+    const std::string text =
+        "#define PIXEL 3.0\nuniform float density; //@ 1 \"d\"\n"
+        "float turbulence(vec2 p) { return p.x; }\n";
+    const std::pair<const char*, const char*> cases[] = {
+        {"densty", "`densty' undeclared; did you mean 'density'?"},
+        {"itime", "`itime' undeclared; did you mean 'iTime'?"},
+        {"PIXL", "`PIXL' undeclared; did you mean 'PIXEL'?"},
+        {"turbulense(u)", "no function with name 'turbulense'; did you mean 'turbulence'?"},
+        {"nrmalize(u).x", "no function with name 'nrmalize'; did you mean 'normalize'?"},
+        {"turbulence", "`turbulence' undeclared; it is a function: call it, turbulence(\u2026)"},
+        {"foo", "`foo' undeclared"},
+        {"unlikeAnything", "`unlikeAnything' undeclared"},
+    };
+    for (const auto& [expression, words] : cases) {
+        EXPECT_EQ(
+            complaint(fmt::format("{}void mainImage(out vec4 c, in vec2 u) {{ for (;;) break; "
+                                  "c = vec4({} * density * PIXEL * turbulence(u)); }}\n",
+                                  text, expression)),
+            words);
+    }
+}
+
+TEST_F(UnknownNames, ThatHaveEndedWithTheirBlockAreToldOfIt) {
+    const char* const scopes[] = {
+        "\n{ float glow = 1.0; }\nc = vec4(glow);",
+        "float a = 2.0; if (u.x < a) { float b = a,\nglow = b; }\nc = vec4(glow);",
+        "\nfor (int glow = 0; glow < 3; ++glow) c.x += 0.1; c = vec4(glow);",
+        "\nfor (int glow = 0; glow < 3; ++glow) { c.x += 0.1; } c = vec4(glow);",
+        "\nfor (int glow = 0; glow < 3; ++glow) for (int j = 0; j < 2; ++j) c.x += 0.1;\n"
+        "c = vec4(glow);",
+    };
+    const std::string ends =
+        "`glow' undeclared; that of line 2 ends with its block: declare it "
+        "before, outside";
+    for (const std::string scope : scopes)
+        EXPECT_EQ(
+            complaint("void mainImage(out vec4 c, in vec2 u) { c = vec4(0);" + scope + " }\n"),
+            ends)
+            << scope;
+    for (const char* function : {"float f(float glow) {\nreturn glow; }\n",
+                                 "float f(float x) {\nfloat glow = x; return x; }\n"})
+        EXPECT_TRUE(complaint(function + std::string("void mainImage(out vec4 c, in vec2 u) { c = "
+                                                     "vec4(glow); }\n"))
+                        .ends_with("is another function's: hand it over as an argument"))
+            << function;
+}
+
+TEST_F(UnknownNames, ThatAreMistypedAreNoneThatIsKnownElsewhereAlone) {
+    const std::string elsewhere =
+        "float first(float shade) { float shape = shade; return shape; }\n";
+    EXPECT_EQ(
+        complaint(elsewhere + "void mainImage(out vec4 c, in vec2 u) { { float shake = 1.0; } "
+                              "c = vec4(shae); }\nfloat last(float shame) { return shame; }\n"),
+        "`shae' undeclared");
+    EXPECT_EQ(
+        complaint(elsewhere + "void mainImage(out vec4 c, in vec2 u) { float shake = 1.0; { for "
+                              "(int i = 0; i < 3; ++i) c = vec4(shae); } }\n"),
+        "`shae' undeclared; did you mean 'shake'?");
+}
+
+}  // namespace
+}  // namespace glint::unknown_names_test
