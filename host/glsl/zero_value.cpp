@@ -9,7 +9,9 @@
 namespace glint {
 namespace {
 
-constexpr int kMostNumbers = 1024;
+// Drivers take seconds for a constructor of hundreds of numbers, and none for a loop: those are
+// for places where no statement can stand.
+constexpr int kMostNumbers = 1024, kMostListed = 32;
 
 // By FirstValue.
 using Scalar = std::array<std::string_view, 4>;
@@ -142,7 +144,7 @@ SpelledType ZeroValues::type_of(const Declaration& member, const Declarator& dec
 }
 
 std::optional<std::string> ZeroValues::of_struct(std::uint32_t structure, FirstValue first,
-                                                 int& count) const {
+                                                 int& room) const {
     const Struct& one = reading_.structs[structure];
     std::string name = made_name(structure), members;
     if (one.name != kNone) {
@@ -152,7 +154,7 @@ std::optional<std::string> ZeroValues::of_struct(std::uint32_t structure, FirstV
     for (const std::uint32_t index : one.members) {
         const Declaration& member = reading_.declarations[index];
         for (const Declarator& declarator : member.names) {
-            const auto value = whole(type_of(member, declarator), first, count);
+            const auto value = whole(type_of(member, declarator), first, room);
             if (!value) return {};
             members += (members.empty() ? "" : ",") + *value;
         }
@@ -162,26 +164,26 @@ std::optional<std::string> ZeroValues::of_struct(std::uint32_t structure, FirstV
 }
 
 std::optional<std::string> ZeroValues::element(const SpelledType& type, FirstValue first,
-                                               int& count) const {
-    if (++count > kMostNumbers) return {};
+                                               int& room) const {
+    if (--room < 0) return {};
     const std::string_view name = reading_.word(type.type);
     if (!may_be_written(name)) return {};
     if (std::string value = basic_value(name, first); !value.empty()) return value;
     const std::uint32_t structure = struct_of(type);
     if (structure == kNone) return {};
-    return of_struct(structure, first, count);
+    return of_struct(structure, first, room);
 }
 
 std::optional<std::string> ZeroValues::whole(const SpelledType& type, FirstValue first,
-                                             int& count) const {
-    if (type.array.empty() && type.type_array.empty()) return element(type, first, count);
+                                             int& room) const {
+    if (type.array.empty() && type.type_array.empty()) return element(type, first, room);
     if (!type.array.empty() && !type.type_array.empty()) return {};
     const auto size = length(type.array.empty() ? type.type_array : type.array);
     if (!size || *size < 1 || *size > kMostNumbers) return {};
-    const int before = count;
-    const auto value = element(type, first, count);
-    count = before + (count - before) * static_cast<int>(*size);
-    if (!value || count > kMostNumbers) return {};
+    const int before = room;
+    const auto value = element(type, first, room);
+    room = before - (before - room) * static_cast<int>(*size);
+    if (!value || room < 0) return {};
     std::string values = *value;
     for (std::int64_t i = 1; i < *size; ++i) values += "," + *value;
     const std::string name =
@@ -193,8 +195,8 @@ bool ZeroValues::set_parts(std::string& words, const std::string& what, const Sp
                            FirstValue first, int depth) const {
     constexpr int kDeepest = 16;
     if (depth > kDeepest) return false;
-    int count = 0;
-    if (const auto value = whole(type, first, count)) {
+    int room = kMostListed;
+    if (const auto value = whole(type, first, room)) {
         words += fmt::format(" {} = {};", what, *value);
         return true;
     }
@@ -237,8 +239,13 @@ std::optional<std::string> ZeroValues::statements(const std::string& what, const
 }
 
 std::optional<std::string> ZeroValues::value(const SpelledType& type, FirstValue first) const {
-    int count = 0;
-    return whole(type, first, count);
+    int room = kMostNumbers;
+    return whole(type, first, room);
+}
+
+bool ZeroValues::is_long(const SpelledType& type) const {
+    int room = kMostListed;
+    return !whole(type, FirstValue::zero, room);
 }
 
 }  // namespace glint

@@ -29,8 +29,11 @@ public:
     // `reading` must outlive this.
     explicit ZeroValues(const Reading& reading);
 
-    // `vec3(0)`, `Hit(0.,vec3(0))`, `float[2](0.,0.)`; nothing where there is no such constructor.
+    // `vec3(0)`, `Hit(0.,vec3(0))`, `float[2](0.,0.)`; nothing where there is no such constructor,
+    // or it would have more than a thousand numbers.
     std::optional<std::string> value(const SpelledType& type, FirstValue first) const;
+    // Whether that is better given part by part, where it can be.
+    bool is_long(const SpelledType& type) const;
 
     // Statements that give it this value part by part, `for (…) w[i] = 0.;`, whatever its lengths
     // are; nothing where there are none. `what` is how it is called there.
@@ -41,10 +44,11 @@ public:
     static std::string made_name(std::uint32_t structure);
 
 private:
-    std::optional<std::string> element(const SpelledType& type, FirstValue first, int& count) const;
-    std::optional<std::string> whole(const SpelledType& type, FirstValue first, int& count) const;
+    // `room`: how many numbers may still be written.
+    std::optional<std::string> element(const SpelledType& type, FirstValue first, int& room) const;
+    std::optional<std::string> whole(const SpelledType& type, FirstValue first, int& room) const;
     std::optional<std::string> of_struct(std::uint32_t structure, FirstValue first,
-                                         int& count) const;
+                                         int& room) const;
     bool set_parts(std::string& words, const std::string& what, const SpelledType& type,
                    FirstValue first, int depth) const;
     std::uint32_t struct_of(const SpelledType& type) const;

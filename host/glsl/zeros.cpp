@@ -145,8 +145,9 @@ public:
     // False where it cannot be done.
     bool write(const Site& site, FirstValue first) {
         if (site.kind == Site::Kind::entry && first == FirstValue::zero) return true;
+        if (values_.is_long(site.type) && write_statements(site, first)) return true;
         const auto value = values_.value(site.type, first);
-        if (!value) return write_statements(site, first);
+        if (!value) return false;
         if (!name_struct(site.type)) return false;
         switch (site.kind) {
             case Site::Kind::initial:

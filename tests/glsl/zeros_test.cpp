@@ -185,7 +185,8 @@ TEST(Zeros, AreWrittenPartByPartWhereALengthIsTheCompilersToKnow) {
     const std::string zeros =
         " for (int glint_part0 = 0; glint_part0 < int(a.length()); ++glint_part0) { "
         "a[glint_part0] = 0.; }";
-    for (const char* length : {"int(4.)", "x ? 2 : 3", "s.x", "z.length()", "max(1, 2)", "2000"}) {
+    for (const char* length :
+         {"int(4.)", "x ? 2 : 3", "s.x", "z.length()", "max(1, 2)", "33", "2000"}) {
         const std::string declared = "float a[" + std::string(length) + "];";
         EXPECT_EQ(in_function(declared + " g(a);"), declared + zeros + " g(a);");
     }
@@ -201,6 +202,16 @@ TEST(Zeros, AreWrittenPartByPartWhereALengthIsTheCompilersToKnow) {
               "float[int(2.)] f() { if (x) return y;  float[ int ( 2. ) ] glint_result; for (int "
               "glint_part0 = 0; glint_part0 < int(glint_result.length()); ++glint_part0) { "
               "glint_result[glint_part0] = 0.; } return glint_result; }");
+}
+
+// A driver takes 20 s for a constructor of 256 vec4, and nothing for a loop.
+TEST(Zeros, OfLongArraysAreListedWhereNoStatementCanStand) {
+    std::string list = "0.";
+    for (int i = 1; i < 33; ++i) list += ",0.";
+    EXPECT_EQ(in_function("float a[33], b = a[0]; g(b);"),
+              "float a[33] = float[33](" + list + "), b = a[0]; g(b);");
+    EXPECT_EQ(in_function("float a[32]; g(a);"),
+              "float a[32] = float[32](" + list.substr(3) + "); g(a);");
 }
 
 TEST(Zeros, OfAGlobalWhoseLengthIsTheCompilersToKnowAreWrittenInTheEntry) {
