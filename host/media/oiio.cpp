@@ -280,4 +280,14 @@ PartsFile read_parts(const fs::path& file) {
     throw cannot_decode(file, told_of(file, in, cause.data()));
 }
 
+Metadata read_texts(const fs::path& file) {
+    const ReadableFile in(file);
+    Rooms rooms{.file = file, .content = {}, .refusal = {}};
+    const auto no_room = [](void*, const GlintExrPart*) -> void* { return nullptr; };
+    std::array<char, 512> cause{};
+    module_loading().get().read_parts(in.name().c_str(), keep_text, no_room, &rooms, cause.data(),
+                                      cause.size());
+    return std::move(rooms.content.texts);
+}
+
 }  // namespace glint

@@ -26,4 +26,7 @@ void write_parts(const std::filesystem::path& file, const PartsFile& content);
 // pixel.
 PartsFile read_parts(const std::filesystem::path& file);
 
+// What an EXR of any kind says of itself, in its first part; nothing where it cannot be read.
+Metadata read_texts(const std::filesystem::path& file);
+
 }  // namespace glint

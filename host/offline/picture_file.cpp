@@ -1,6 +1,7 @@
 #include "offline/picture_file.h"
 
 #include "media/image.h"
+#include "media/parts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +13,19 @@ namespace glint {
 bool is_picture_file(const std::filesystem::path& file) {
     return can_write(file);
 }
+
+namespace {
+
+// What a still says of itself.
+void read_meaning(const std::filesystem::path& file, ComparedPicture& picture) {
+    picture.is_light = true;
+    for (const auto& [name, value] : read_texts(file)) {
+        if (name.starts_with("glint:")) picture.is_light = false;
+        if (name == "glint:pass" && value != "image") picture.buffer = value;
+    }
+}
+
+}  // namespace
 
 ComparedPicture read_compared_picture(const std::filesystem::path& file) {
     const Image image = read_image(file);
@@ -29,8 +43,10 @@ ComparedPicture read_compared_picture(const std::filesystem::path& file) {
     for (std::size_t i = 0; i < count; ++i) {
         for (std::size_t c = 0; c < 3; ++c)
             result.rgba.push_back(value(i * channels + (channels < 3 ? 0 : c)));
-        result.rgba.push_back(1.0f);
+        const bool has_alpha = channels % 2 == 0;
+        result.rgba.push_back(has_alpha ? value(i * channels + channels - 1) : 1.0f);
     }
+    if (holds_floats(file) && begins_with_metadata(file)) read_meaning(file, result);
     return result;
 }
 

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace glint {
@@ -14,11 +15,15 @@ bool is_picture_file(const std::filesystem::path& file);
 
 struct ComparedPicture {
     glm::ivec2 size{0};
-    std::vector<float> rgba{};  // as the file has them, rows bottom up; a grey one's three times
+    std::vector<float> rgba{};  // as the file has them, rows bottom up; a grey one's three times;
+                                // alpha 1 where there is none
     bool bytes = false;         // the file keeps 8 bits a channel
+    bool is_light = false;      // linear; else as a display shows it, in sRGB
+    std::string buffer{};       // the file says that these are its numbers, and no colours
 };
 
-// Throws std::runtime_error as read_image does.
+// An EXR holds linear light, as OpenEXR says, unless this program wrote it. Throws
+// std::runtime_error as read_image does.
 ComparedPicture read_compared_picture(const std::filesystem::path& file);
 
 // What a file of 8 bits a channel would keep of drawn values; not-a-number stays what it is. Half

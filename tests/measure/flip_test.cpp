@@ -233,8 +233,8 @@ TEST(Flip, IsWhatThePaperWritesPixelByPixel) {
 
 TEST(Flip, OfEqualPicturesIsExactlyNothing) {
     const Picture picture = noisy({40, 30}, 1);
-    for (const bool encoded : {true, false})
-        for (const float v : map_of(picture, picture, {.encoded = encoded})) ASSERT_EQ(v, 0.0f);
+    for (const Values values : {Values::display, Values::light})
+        for (const float v : map_of(picture, picture, {.values = values})) ASSERT_EQ(v, 0.0f);
 }
 
 // Whole pictures of one colour have no edges and nothing to blur: HyAB alone, by hand. Black and
@@ -259,8 +259,8 @@ TEST(Flip, IsFromNothingToOneWhateverIsCompared) {
     for (int seed = 0; seed < 5; ++seed) {
         const Picture a = noisy({33, 21}, seed * 10, 1.0 + seed);
         const Picture b = noisy({33, 21}, seed * 10 + 5, seed % 2 ? 100.0 : 1.0);
-        for (const bool encoded : {true, false})
-            for (const float v : map_of(a, b, {.encoded = encoded})) {
+        for (const Values values : {Values::display, Values::light})
+            for (const float v : map_of(a, b, {.values = values})) {
                 ASSERT_GE(v, 0.0f);
                 ASSERT_LE(v, 1.0f);
             }
@@ -373,7 +373,7 @@ TEST(HdrFlip, LooksFromTheBrightestPixelToTheMedian) {
 TEST(HdrFlip, SeesWhatADisplayClips) {
     const Picture a = plain({20, 20, 20}), b = plain({40, 40, 40});
     EXPECT_EQ(flip(a, b), 0.0);
-    EXPECT_GT(flip(a, b, {.encoded = false}), 0.05);
+    EXPECT_GT(flip(a, b, {.values = Values::light}), 0.05);
     // A hundred times as much light of both is the same to an eye that has adapted.
     const auto scaled = [](double s) {
         return painted({32, 24}, [=](int x, int y) {
@@ -385,8 +385,8 @@ TEST(HdrFlip, SeesWhatADisplayClips) {
             return Colour{s * noise(x, y, 1), s * noise(x, y, 5), s * noise(x, y, 3)};
         });
     };
-    EXPECT_NEAR(flip(scaled(1.0), other(1.0), {.encoded = false}),
-                flip(scaled(100.0), other(100.0), {.encoded = false}), 1e-4);
+    EXPECT_NEAR(flip(scaled(1.0), other(1.0), {.values = Values::light}),
+                flip(scaled(100.0), other(100.0), {.values = Values::light}), 1e-4);
 }
 
 }  // namespace

@@ -87,7 +87,7 @@ TEST(Heat, GoesFromBlackToWhiteInFourSteps) {
 TEST(Heat, OfADifferenceIsAStepADecade) {
     const std::vector<float> a = {0.01f, 0.0f, 0.0f, 1.0f, std::nanf(""), 0.0f, 0.0f, 1.0f};
     const std::vector<float> b(8, 0.0f);
-    const std::vector<std::byte> rgb = difference_heat(a, b, false);
+    const std::vector<std::byte> rgb = difference_heat(a, b, Values::light);
     const std::vector<std::byte> violet = heat(std::vector<float>{0.5f});
     for (std::size_t c = 0; c < 3; ++c)  // 0.01 is no float
         EXPECT_NEAR(static_cast<int>(rgb[c]), static_cast<int>(violet[c]), 1);

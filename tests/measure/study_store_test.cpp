@@ -69,7 +69,7 @@ TEST(StudyStore, ARowIsAsWholeAsItsPictures) {
     const StudyStore store(folder.path());
     StudyRow row{.value = "4"};
     row.picture = store.keep_picture(kKey, kPicture, kSize);
-    row.map = store.keep_map(kKey, kPicture, kPicture, kSize, true);
+    row.map = store.keep_map(kKey, kPicture, kPicture, kSize, Values::display);
     row.flip_map = store.keep_flip_map(kKey, std::vector<float>(kPicture.size() / 4), kSize);
     store.keep(kKey, row);
     ASSERT_TRUE(store.row(kKey, kSize));

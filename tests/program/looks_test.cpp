@@ -1,4 +1,5 @@
 // `glint study A B`: two looks beside each other.
+#include "media/image.h"
 #include "report.h"
 
 #include <cmath>
@@ -78,6 +79,54 @@ TEST_F(Looks, APictureOfALookIsThatLook) {
     }
     EXPECT_NE(glint({"study", "b.png", "b.exr"}).out.find("The pictures are the same."),
               std::string::npos);
+}
+
+TEST_F(Looks, TheWorstPixelIsOneOfThoseThatAreFinite) {
+    write("nan.frag",
+          "void mainImage(out vec4 c, in vec2 p) {\n"
+          "    ivec2 i = ivec2(p);\n"
+          "    c = vec4(vec3(i == ivec2(5, 2) ? 1.0 : i == ivec2(12, 7) ? 0.52 : 0.5), 1);\n"
+          "    if (i == ivec2(9, 5)) c.r = sqrt(-1.0 - float(iFrame));\n"
+          "}\n");
+    write("plain.frag", "void mainImage(out vec4 c, in vec2 p) { c = vec4(vec3(0.5), 1); }\n");
+    for (const bool is_first : {true, false}) {
+        const Json json = compare(is_first ? "nan.frag" : "plain.frag",
+                                  is_first ? "plain.frag" : "nan.frag", {"--size", "20x10"});
+        EXPECT_EQ(json["worst"]["pixel"], Json({5, 7}));
+        EXPECT_EQ(json["worst"][is_first ? "a" : "b"], Json({1.0, 1.0, 1.0}));
+    }
+    write("none.frag",
+          "void mainImage(out vec4 c, in vec2 p) { c = vec4(sqrt(-1.0 - float(iFrame))); }\n");
+    const Outcome none = glint({"study", "none.frag", "plain.frag", "--size", "20x10"});
+    EXPECT_NE(none.out.find("No pixel is finite in both."), std::string::npos) << none.out;
+}
+
+// Red of 4 and 8, and alpha of 1 and 2.
+TEST_F(Looks, AnExrIsComparedAsWhatItSaysThatItHolds) {
+    write("buffer.frag",
+          "uniform float level; //@ 4 [0, 9]\n"
+          "uniform sampler2D b; //@ pass mainB size=5x4\n"
+          "void mainB(out vec4 c, in vec2 p) { c = vec4(level, 0, 0, level / 4.0); }\n"
+          "void mainImage(out vec4 c, in vec2 p) { c = texelFetch(b, ivec2(0), 0); }\n");
+    still({"buffer.frag", "-o", "a.exr", "--pass", "b", "--size", "5x4"});
+    still({"buffer.frag", "-o", "b.exr", "--pass", "b", "--size", "5x4", "--tweak", "level=8"});
+    const Json buffers = compare("a.exr", "b.exr");
+    EXPECT_NEAR(buffers["rmse"].get<double>(), std::sqrt((16.0 + 1.0) / 4.0), 1e-6);
+    EXPECT_EQ(buffers["worst"]["b"], Json({8.0, 0.0, 0.0, 2.0}));
+    const Outcome mixed = glint({"study", "a.exr", "buffer.frag"});
+    EXPECT_EQ(mixed.code, 2);
+    EXPECT_NE(mixed.err.find("a.exr holds the buffer 'b', and no picture"), std::string::npos)
+        << mixed.err;
+}
+
+TEST_F(Looks, OfAlphaItIsSaidThatItDiffers) {
+    Image image{.size = {5, 4}, .channels = 4, .pixels = std::vector(80, std::byte{128})};
+    write_image(folder() / "a.png", image);
+    for (std::size_t i = 3; i < 40; i += 4) image.pixels[i] = std::byte{255};
+    write_image(folder() / "b.png", image);
+    const Json json = compare("a.png", "b.png");
+    EXPECT_EQ(json["max"], 0.0);
+    EXPECT_EQ(json["alpha_off"], 10);
 }
 
 TEST_F(Looks, ThePageWipesBetweenThemWithoutANetwork) {

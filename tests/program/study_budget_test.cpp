@@ -74,6 +74,29 @@ TEST_F(StudyBudget, ABudgetChoosesAndAPresetKeepsIt) {
               0);
 }
 
+TEST_F(StudyBudget, APresetKeepsWhatTheSettingStoodOnToo) {
+    write("s.frag", kTwoDials);
+    write("s.toml", "scene = \"s.frag\"\n[quality.tinted]\nmethod = \"other\"\n");
+    const Outcome outcome = glint({"study", "s.toml", "--size", "16x9", "--seconds", "0.2", "--ms",
+                                   "own", "--quality", "tinted", "--reference", "method=other",
+                                   "--vary", "cheap", "-o", "s.toml", "--name", "fast"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const std::string preset = bytes("s.toml");
+    const std::size_t fast = preset.find("[quality.fast]\n");
+    ASSERT_NE(fast, std::string::npos) << preset;
+    EXPECT_NE(preset.find("method = \"other\"", fast), std::string::npos) << preset;
+}
+
+TEST_F(StudyBudget, APresetThatCannotBeReadIsToldAndLeftOut) {
+    write("s.frag", kTwoDials);
+    write("s.toml", "scene = \"s.frag\"\n");
+    write("broken.toml", "scene = \n");
+    const Outcome outcome = glint({"study", "s.toml", "--size", "16x9", "--seconds", "0", "--over",
+                                   "presets", "--vary", "cheap=4,8"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_NE(outcome.err.find("broken.toml is left out: "), std::string::npos) << outcome.err;
+}
+
 // What a person hardly sees may be left out, however much it is in numbers.
 TEST_F(StudyBudget, MayBeWhatAPersonSees) {
     write("s.frag", kTwoDials);

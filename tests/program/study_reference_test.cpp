@@ -202,5 +202,56 @@ TEST_F(StudyReference, AReferenceIsNotMeasuredByItself) {
         << outcome.err;
 }
 
+// The mean of so many hashed numbers.
+TEST_F(StudyReference, TwoSeedsShareTheirDifferenceWhoeverNamesTheSecond) {
+    write("s.frag",
+          "uniform int samples; //@ 4 [1, 16] log quality reference=128\n"
+          "uniform float seed; //@ 0 [0, 9]\n"
+          "uniform float unused; //@ 0 [0, 9]\n"
+          "void mainImage(out vec4 c, in vec2 p) {\n"
+          "    float sum = unused * 1e-9;\n"
+          "    for (int i = 0; i < samples; ++i)\n"
+          "        sum += fract(sin(dot(vec3(p, float(i) + 900.0 * seed), vec3(12.99, 78.2, 3.7))) "
+          "* 43758.5);\n"
+          "    c = vec4(vec3(sum / float(samples)), 1);\n"
+          "}\n");
+    const auto own_error = [&](std::vector<std::string> more) {
+        std::vector<std::string> arguments = {"study",  "s.frag",    "--size",
+                                              "16x9",   "--seconds", "0",
+                                              "--json", "--vary",    "samples=1,4"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return report_of(glint(arguments))["own_error"].get<double>();
+    };
+    const double shared = own_error({});
+    EXPECT_GT(shared, 0.0);
+    EXPECT_EQ(own_error({"--second", "seed=1"}), shared);
+}
+
+TEST_F(StudyReference, WithoutASecondTheOwnErrorIsNotKnown) {
+    write("s.frag",
+          "uniform float f; //@ 0.5 [0, 1] quality reference=0\n"
+          "void mainImage(out vec4 c, in vec2 p) { c = vec4(vec3(f), 1); }\n");
+    const Json json = report_of(
+        glint({"study", "s.frag", "--size", "8x8", "--seconds", "0", "--json", "--vary", "f"}));
+    EXPECT_TRUE(json["reference_error"].is_null());
+    EXPECT_TRUE(json["own_error"].is_null());
+}
+
+// Half a step is more work.
+TEST_F(StudyReference, AllOtherQualityDoesMoreWorkWhicheverWayItsSliderGoes) {
+    write("s.frag",
+          "uniform float stride; //@ 0.1 [0.01, 1] log quality reference=0.01\n"
+          "uniform bool fine; //@ off quality reference=on\n"
+          "void mainImage(out vec4 c, in vec2 p) {\n"
+          "    c = vec4(vec3(0.5 + stride * 0.1 * sin(p.x) + (fine ? 0.0 : 0.01)), 1);\n"
+          "}\n");
+    const std::vector<std::string> arguments = {"study", "s.frag", "--size", "16x9", "--seconds",
+                                                "0",     "--json", "--vary", "fine"};
+    const Json own = report_of(glint(arguments));
+    std::vector<std::string> named = arguments;
+    named.insert(named.end(), {"--second", "stride=0.05"});
+    EXPECT_EQ(own["reference_error"]["rmse"], report_of(glint(named))["reference_error"]["rmse"]);
+}
+
 }  // namespace
 }  // namespace glint::cli::study_reference_test

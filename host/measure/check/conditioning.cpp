@@ -119,7 +119,7 @@ public:
     std::vector<std::byte> map() const {
         std::vector<float> off(usual_);
         for (std::size_t i = 0; i < off.size(); ++i) off[i] += i % 4 == 3 ? 0.0f : most_[i / 4];
-        return difference_heat(off, usual_, false);
+        return difference_heat(off, usual_, Values::light);
     }
     const Moved& worst() const { return worst_; }
     int count() const { return count_; }

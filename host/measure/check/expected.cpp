@@ -61,6 +61,10 @@ std::string too_far(const Distance& found, const Expect& expect) {
     return why;
 }
 
+Values values_of(const ComparedPicture& expected) {
+    return expected.is_light ? Values::light : Values::display;
+}
+
 // NAME-expected.png, NAME-difference.png and NAME-flip.png, beside NAME.png of the case.
 void write_pictures(const Check& check, const std::string& name, const ComparedPicture& expected,
                     std::span<const float> actual, const Distance& found) {
@@ -70,7 +74,8 @@ void write_pictures(const Check& check, const std::string& name, const ComparedP
     };
     make_folder(check.folder);
     write_shown(file("expected"), expected.rgba, expected.size);
-    write_rgb(file("difference"), difference_heat(actual, expected.rgba, true), expected.size);
+    write_rgb(file("difference"), difference_heat(actual, expected.rgba, values_of(expected)),
+              expected.size);
     write_rgb(file("flip"), heat(found.seen), expected.size);
 }
 
@@ -89,6 +94,9 @@ void check_picture(Check& check, CaseResult& result) {
                                shell_file(expect.picture.string()));
         return result.fail(why);
     }
+    if (!expected.buffer.empty())
+        return result.fail(fmt::format("{} holds the buffer {}, and no picture",
+                                       expect.picture.string(), in_quotes(expected.buffer)));
     if (const std::size_t none = pixels_not_finite(expected.rgba); none > 0)
         return result.fail(
             fmt::format("{}: pixels that are no numbers: {}; nothing can be expected of them, so "
@@ -97,13 +105,15 @@ void check_picture(Check& check, CaseResult& result) {
     std::vector<float> actual = draw_still(subject, expected.size);
     if (!subject.observed().is_finite()) return;  // a failure of its own
     if (expected.bytes) round_to_bytes(actual, expected.rgba);
-    const Difference difference = glint::difference(actual, expected.rgba);
+    const Values values = values_of(expected);
+    if (values == Values::light) decode_display(actual);
+    const Difference difference = glint::difference(actual, expected.rgba, values);
     Distance found{.rmse = difference.rmse,
                    .max = difference.max,
-                   .seen = flip_map(actual, expected.rgba, expected.size)};
+                   .seen = flip_map(actual, expected.rgba, expected.size, {.values = values})};
     found.flip = mean(found.seen);
     const std::string why = too_far(found, expect);
-    const glm::ivec2 worst = place_of(worst_pixel(actual, expected.rgba), expected.size);
+    const glm::ivec2 worst = place_of(worst_pixel(actual, expected.rgba, values), expected.size);
     if (why.empty()) {
         result.note = fmt::format("RMSE {:.3g}, FLIP {:.3g}", found.rmse, found.flip);
         return;

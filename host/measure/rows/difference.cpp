@@ -13,8 +13,9 @@ int to_byte(float value) {
     return static_cast<int>(std::lround(std::clamp(value, 0.0f, 1.0f) * 255.0f));
 }
 
-bool is_finite(const float* rgb) {
-    return std::isfinite(rgb[0]) && std::isfinite(rgb[1]) && std::isfinite(rgb[2]);
+bool is_finite(std::span<const float> picture, std::size_t pixel, Values values) {
+    return std::ranges::all_of(picture.subspan(pixel, channels_of(values)),
+                               [](float value) { return std::isfinite(value); });
 }
 
 }  // namespace
@@ -25,21 +26,35 @@ double decode_srgb(double value) {
     return std::copysign(light, value);
 }
 
+void decode_display(std::span<float> picture) {
+    for (std::size_t i = 0; i < picture.size(); ++i)
+        if (i % 4 != 3) picture[i] = static_cast<float>(decode_srgb(picture[i]));
+}
+
+std::size_t channels_of(Values values) {
+    return values == Values::data ? 4 : 3;
+}
+
+double in_light(double value, Values values) {
+    return values == Values::display ? decode_srgb(value) : value;
+}
+
 Difference difference(std::span<const float> picture, std::span<const float> reference,
-                      bool encoded) {
+                      Values values) {
     Difference result;
     double squares = 0.0, relative = 0.0, byte_squares = 0.0;
     std::size_t off = 0, count = 0;
+    bool is_alpha_off = false;
     for (std::size_t i = 0; i + 3 < std::min(picture.size(), reference.size()); i += 4) {
-        if (!is_finite(&picture[i]) || !is_finite(&reference[i])) {
+        if (!is_finite(picture, i, values) || !is_finite(reference, i, values)) {
             ++result.not_finite;
-            result.reference_not_finite += !is_finite(&reference[i]);
+            result.reference_not_finite += !is_finite(reference, i, values);
             continue;
         }
         bool is_off = false;
-        for (std::size_t c = i; c < i + 3; ++c) {
-            const double x = encoded ? decode_srgb(picture[c]) : picture[c];
-            const double r = encoded ? decode_srgb(reference[c]) : reference[c];
+        for (std::size_t c = i; c < i + channels_of(values); ++c) {
+            const double x = in_light(picture[c], values);
+            const double r = in_light(reference[c], values);
             const double d = x - r;
             squares += d * d;
             relative += d * d / (r * r + 0.01);
@@ -47,6 +62,7 @@ Difference difference(std::span<const float> picture, std::span<const float> ref
             const int bytes = to_byte(picture[c]) - to_byte(reference[c]);
             byte_squares += static_cast<double>(bytes * bytes);
             is_off |= std::abs(bytes) > 1;
+            is_alpha_off |= c == i + 3 && d != 0.0;
         }
         off += is_off;
         ++count;
@@ -57,43 +73,47 @@ Difference difference(std::span<const float> picture, std::span<const float> ref
         result.share_off = result.relative_mse = result.flip = unknown;
     }
     if (count == 0) return result;
-    const auto pixels = static_cast<double>(count), values = 3.0 * pixels;
-    result.rmse = std::sqrt(squares / values);
-    result.relative_mse = relative / values;
+    const auto pixels = static_cast<double>(count);
+    const double numbers = pixels * (is_alpha_off ? 4.0 : 3.0);
+    result.rmse = std::sqrt(squares / numbers);
+    result.relative_mse = relative / numbers;
     result.share_off = static_cast<double>(off) / pixels;
     result.psnr = byte_squares == 0.0 ? std::numeric_limits<double>::infinity()
-                                      : 10.0 * std::log10(255.0 * 255.0 / (byte_squares / values));
+                                      : 10.0 * std::log10(255.0 * 255.0 / (byte_squares / numbers));
     return result;
 }
 
-std::size_t pixels_not_finite(std::span<const float> picture) {
+std::size_t pixels_not_finite(std::span<const float> picture, Values values) {
     std::size_t count = 0;
-    for (std::size_t i = 0; i + 3 < picture.size(); i += 4) count += !is_finite(&picture[i]);
+    for (std::size_t i = 0; i + 3 < picture.size(); i += 4) count += !is_finite(picture, i, values);
     return count;
 }
 
-double size_of_values(std::span<const float> picture) {
-    std::vector<float> values;
+double size_of_values(std::span<const float> picture, Values values) {
+    std::vector<float> sizes;
     for (std::size_t i = 0; i < picture.size(); ++i)
-        if (i % 4 != 3 && std::isfinite(picture[i])) values.push_back(std::abs(picture[i]));
-    if (values.empty()) return 1.0;
-    const auto reached = values.begin() + static_cast<std::ptrdiff_t>(values.size() * 9 / 10);
-    std::nth_element(values.begin(), reached, values.end());
-    const float size = *reached > 0.0f ? *reached : std::ranges::max(values);
+        if (i % 4 < channels_of(values) && std::isfinite(picture[i]))
+            sizes.push_back(std::abs(picture[i]));
+    if (sizes.empty()) return 1.0;
+    const auto reached = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() * 9 / 10);
+    std::nth_element(sizes.begin(), reached, sizes.end());
+    const float size = *reached > 0.0f ? *reached : std::ranges::max(sizes);
     return size > 0.0f ? static_cast<double>(size) : 1.0;
 }
 
 std::size_t worst_pixel(std::span<const float> picture, std::span<const float> reference,
-                        bool encoded) {
+                        Values values) {
     std::size_t worst = 0;
     double most = 0.0;
-    for (std::size_t i = 0; i < std::min(picture.size(), reference.size()); ++i) {
-        if (i % 4 == 3) continue;
-        const double x = encoded ? decode_srgb(picture[i]) : picture[i];
-        const double r = encoded ? decode_srgb(reference[i]) : reference[i];
-        if (std::abs(x - r) <= most) continue;
-        most = std::abs(x - r);
-        worst = i / 4;
+    for (std::size_t i = 0; i + 3 < std::min(picture.size(), reference.size()); i += 4) {
+        if (!is_finite(picture, i, values) || !is_finite(reference, i, values)) continue;
+        for (std::size_t c = i; c < i + channels_of(values); ++c) {
+            const double off =
+                std::abs(in_light(picture[c], values) - in_light(reference[c], values));
+            if (off <= most) continue;
+            most = off;
+            worst = i / 4;
+        }
     }
     return worst;
 }

@@ -7,7 +7,14 @@
 
 namespace glint {
 
-// Over red, green and blue; alpha means nothing. Pixels where either picture is not finite count in
+// What the numbers of an RGBA picture are.
+enum class Values {
+    display,  // sRGB, of a picture as a screen shows it; alpha means nothing
+    light,    // linear light, without an upper end; alpha means nothing
+    data,     // as a buffer holds them; alpha counts, too, where the two differ in it
+};
+
+// Over the channels that mean something. Pixels where either picture is not finite count in
 // `not_finite`, those of the second in `reference_not_finite` as well, and nowhere else.
 struct Difference {
     double rmse = 0.0, max = 0.0;
@@ -20,20 +27,30 @@ struct Difference {
 };
 
 // RGBA pictures of the same size. The 8-bit figures are of the values as they are, the others of
-// the values in light: decoded from sRGB, or as they are when they are no colours for a display.
+// those of a display decoded to light.
 Difference difference(std::span<const float> picture, std::span<const float> reference,
-                      bool encoded = true);
+                      Values values = Values::display);
 
-// How many pixels of an RGBA picture have a red, green or blue that is not finite.
-std::size_t pixels_not_finite(std::span<const float> picture);
+// How many pixels of an RGBA picture have a number that means something and is not finite.
+std::size_t pixels_not_finite(std::span<const float> picture, Values values = Values::display);
 
-// What the red, green and blue of an RGBA picture reach, but for a tenth of them, whatever their
-// sign; 1 of one that is black.
-double size_of_values(std::span<const float> picture);
+// What the numbers of an RGBA picture reach, but for a tenth of them, whatever their sign; 1 of one
+// that is black.
+double size_of_values(std::span<const float> picture, Values values = Values::display);
 
-// Which pixel has the channel that differs most, in light as above; 0 of equal pictures.
+// Which pixel, of those that are finite in both, has the channel that differs most, in light as
+// above; 0 of equal pictures.
 std::size_t worst_pixel(std::span<const float> picture, std::span<const float> reference,
-                        bool encoded = true);
+                        Values values = Values::display);
+
+// How many of the four numbers of a pixel mean something.
+std::size_t channels_of(Values values);
+
+// What a number is in light; those of data stay as they are.
+double in_light(double value, Values values);
+
+// A picture for a display, made linear light; its alpha stays.
+void decode_display(std::span<float> picture);
 
 // The light that an sRGB value stands for; odd about 0, and without an upper end.
 double decode_srgb(double value);

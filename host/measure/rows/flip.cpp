@@ -378,7 +378,7 @@ std::vector<float> flip_map(std::span<const float> picture, std::span<const floa
                             glm::ivec2 size, const FlipOptions& options) {
     std::vector<float> map(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
     const Filters filters(options.pixels_per_degree);
-    if (options.encoded) {
+    if (options.values == Values::display) {
         raise(map, picture, reference, size, filters, srgb_light);
     } else {
         // Each pixel counts as where it differs most.

@@ -8,6 +8,8 @@
 // the difference counts for more.
 #pragma once
 
+#include "measure/rows/difference.h"
+
 #include <glm/vec2.hpp>
 
 #include <span>
@@ -20,9 +22,9 @@ namespace glint {
 double pixels_per_degree(double distance, double width, double pixels);
 
 struct FlipOptions {
-    // Whether the values are for a display, in sRGB; clamped to 0..1 (LDR-FLIP). Otherwise they are
-    // light, of any range and linear (HDR-FLIP): what is below 0 counts as 0.
-    bool encoded = true;
+    // Those of a display are clamped to 0..1 (LDR-FLIP). All others count as light (HDR-FLIP): what
+    // is below 0 counts as 0.
+    Values values = Values::display;
     double pixels_per_degree = 67.02;  // 0.7 m before a screen of 0.7 m and 3840 pixels
 };
 

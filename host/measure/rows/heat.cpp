@@ -26,16 +26,16 @@ void push_colour(std::vector<std::byte>& rgb, double value) {
 }  // namespace
 
 std::vector<std::byte> difference_heat(std::span<const float> picture,
-                                       std::span<const float> reference, bool encoded) {
+                                       std::span<const float> reference, Values values) {
     std::vector<std::byte> rgb;
     rgb.reserve(picture.size() / 4 * 3);
     for (std::size_t i = 0; i + 3 < picture.size(); i += 4) {
         double most = 0.0;
         bool finite = true;
-        for (std::size_t c = i; c < i + 3; ++c) {
+        for (std::size_t c = i; c < i + channels_of(values); ++c) {
             finite &= std::isfinite(picture[c]) && std::isfinite(reference[c]);
-            const double x = encoded ? decode_srgb(picture[c]) : picture[c];
-            const double r = encoded ? decode_srgb(reference[c]) : reference[c];
+            const double x = in_light(picture[c], values);
+            const double r = in_light(reference[c], values);
             most = std::max(most, std::abs(x - r));
         }
         if (finite)

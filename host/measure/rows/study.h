@@ -121,8 +121,8 @@ struct Study {
 
     // Otherwise the own error is not known, and null in JSON.
     bool has_own_error() const {
-        return has_truth() && second_cut.empty() &&
-               (!reference_error || reference_error->not_finite == 0);
+        return has_truth() && second_cut.empty() && reference_error &&
+               reference_error->not_finite == 0;
     }
 
     // RMSE below which nothing can be told from the reference; 0 where that is not known.

@@ -16,6 +16,17 @@ namespace glint {
 
 namespace {
 
+// What --quality and --tweak turned before: the setting was found on that, and holds with it alone.
+void add_stood_on(const StudyOptions& options, Preset preset, std::vector<Turned>& values) {
+    const std::vector<TweakValue> own = preset.values;
+    lay_over(preset, options.view);
+    for (std::size_t i = 0; i < own.size(); ++i) {
+        const bool is_chosen = std::ranges::find(values, i, &Turned::tweak) != values.end();
+        if (preset.values[i] != own[i] && !is_chosen) values.push_back({i, preset.values[i]});
+    }
+    std::ranges::sort(values, {}, &Turned::tweak);
+}
+
 // What -o is to hold, with these values under the name. Throws Stop.
 std::string text_with_best(const StudyOptions& options, const std::vector<Turned>& values) {
     const bool exists = std::filesystem::exists(options.output);
@@ -75,8 +86,9 @@ void write_best(const StudyOptions& options, const std::vector<Study>& studies) 
     if (!from.preset) throw Stop(ExitCode::failure);
     std::string list = study.rows[*study.best].value, wrong;
     std::ranges::replace(list, ' ', ',');
-    const auto values = turned_values(from.preset->scene.tweaks, {}, list, wrong);
+    std::vector<Turned> values = turned_values(from.preset->scene.tweaks, {}, list, wrong);
     if (!wrong.empty()) throw std::runtime_error(wrong);
+    add_stood_on(options, *from.preset, values);
     const std::string text = text_with_best(options, values);
     write_whole_file(options.output, std::as_bytes(std::span(text)));
 }

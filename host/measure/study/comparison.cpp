@@ -37,21 +37,34 @@ figure { margin: 0; } figure img { width: 100%; display: block; } figcaption { c
 </style>
 )";
 
-std::string colour_text(const glm::vec3& colour) {
-    return fmt::format("({:.3g} {:.3g} {:.3g})", colour.x, colour.y, colour.z);
+std::string numbers_text(const glm::vec4& numbers, Values values) {
+    const std::string rgb = fmt::format("{:.3g} {:.3g} {:.3g}", numbers.x, numbers.y, numbers.z);
+    return values == Values::data ? fmt::format("({} {:.3g})", rgb, numbers.w) : "(" + rgb + ")";
 }
 
 std::string error_text(const Comparison& c) {
     const Difference& e = c.error;
-    if (e.max == 0.0 && e.not_finite == 0) return "The pictures are the same.";
+    const std::string alpha =
+        c.alpha_off > 0
+            ? fmt::format(" Their alpha, which is not compared, differs in {} pixels.", c.alpha_off)
+            : "";
+    if (e.max == 0.0 && e.not_finite == 0) return "The pictures are the same." + alpha;
+    if (std::isnan(e.rmse)) return "No pixel is finite in both.";
     std::string text = fmt::format(
         "RMSE {}, FLIP {}, PSNR {} dB, {:.2f} % off by more than 1/255; most at {},{}: {} off, A "
         "{}, B {}",
         three_digits(e.rmse), three_digits(e.flip),
         std::isinf(e.psnr) ? "inf" : fmt::format("{:.1f}", e.psnr), 100.0 * e.share_off, c.worst.x,
-        c.worst.y, three_digits(e.max), colour_text(c.at_worst[0]), colour_text(c.at_worst[1]));
+        c.worst.y, three_digits(e.max), numbers_text(c.at_worst[0], c.values),
+        numbers_text(c.at_worst[1], c.values));
     if (e.not_finite > 0) text += fmt::format("; {} pixels are not finite", e.not_finite);
-    return text;
+    return alpha.empty() ? text : text + "." + alpha;
+}
+
+std::string values_text(Values values) {
+    return values == Values::light  ? "\nvalues: linear light"
+           : values == Values::data ? "\nvalues: numbers of a buffer"
+                                    : "";
 }
 
 std::string time_text(const Comparison& c) {
@@ -105,9 +118,9 @@ Json to_json(const Timing& ms) {
 }  // namespace
 
 std::string to_table(const Comparison& c) {
-    return fmt::format("A  {}\nB  {}\n{}x{}{}\n{}\n{}\n{}", c.files[0], c.files[1], c.size.x,
-                       c.size.y, c.renderer.empty() ? "" : "  " + c.renderer, error_text(c),
-                       time_text(c),
+    return fmt::format("A  {}\nB  {}\n{}x{}{}{}\n{}\n{}\n{}", c.files[0], c.files[1], c.size.x,
+                       c.size.y, c.renderer.empty() ? "" : "  " + c.renderer, values_text(c.values),
+                       error_text(c), time_text(c),
                        c.times ? fmt::format("clock: {}\n", to_string(c.times->clock)) : "");
 }
 
@@ -118,10 +131,13 @@ Json to_json(const Comparison& c) {
                  {"renderer", c.renderer},
                  {"machine", c.machine}};
     json.update(glint::to_json(c.error));
-    const auto colour = [](const glm::vec3& rgb) { return Json{rgb.x, rgb.y, rgb.z}; };
+    const auto numbers = [&](const glm::vec4& n) {
+        return c.values == Values::data ? Json{n.x, n.y, n.z, n.w} : Json{n.x, n.y, n.z};
+    };
     json["worst"] = {{"pixel", {c.worst.x, c.worst.y}},
-                     {"a", colour(c.at_worst[0])},
-                     {"b", colour(c.at_worst[1])}};
+                     {"a", numbers(c.at_worst[0])},
+                     {"b", numbers(c.at_worst[1])}};
+    json["alpha_off"] = c.alpha_off;
     if (!c.times) return json;
     json["a"].update(to_json(c.times->a));
     json["b"].update(to_json(c.times->b));
@@ -139,7 +155,7 @@ void write_comparison(const std::filesystem::path& folder, const Comparison& c) 
                json_text(to_json(c)) + "\n");  // by which the others are known
     write_shown(folder / "a.png", c.pictures[0], c.size);
     write_shown(folder / "b.png", c.pictures[1], c.size);
-    write_rgb(folder / "difference.png", difference_heat(c.pictures[0], c.pictures[1], true),
+    write_rgb(folder / "difference.png", difference_heat(c.pictures[0], c.pictures[1], c.values),
               c.size);
     write_rgb(folder / "flip.png", heat(c.seen), c.size);
     write_text(folder / "index.html", page(c));

@@ -1,10 +1,11 @@
 // What was found of two looks, told to people and programs.
 #pragma once
 
+#include "measure/rows/difference.h"
 #include "measure/study/pair.h"
 
 #include <glm/vec2.hpp>
-#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 #include <nlohmann/json_fwd.hpp>
 
 #include <array>
@@ -19,11 +20,13 @@ struct Comparison {
     std::array<std::string, 2> files{};  // A and B, as they were named
     std::array<std::vector<float>, 2> pictures{};
     glm::ivec2 size{0};
+    Values values = Values::display;    // of the pictures
     std::string renderer{}, machine{};  // "" where both are pictures
     Difference error{};                 // of A to B
     std::vector<float> seen{};          // flip_map()
     glm::ivec2 worst{0};                // the pixel that differs most, from the left and the top
-    std::array<glm::vec3, 2> at_worst{};
+    std::array<glm::vec4, 2> at_worst{};
+    std::size_t alpha_off = 0;  // pixels whose alpha, which means nothing, differs by over 1/255
     std::optional<TimedPair> times{};  // none where one is a picture
 };
 

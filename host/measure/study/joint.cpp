@@ -69,6 +69,7 @@ public:
           seconds_(seconds),
           context_(context),
           how_(how),
+          values_(values_of_pass(how.pass)),
           caller_(caller) {
         how_.specialise = false;
         for (const Knob& knob : knobs) {
@@ -97,7 +98,7 @@ public:
         start();
         const Budget budget = this->budget();
         const double begun = spent_ms();
-        const bool has_truth = pixels_not_finite(truth_) == 0;
+        const bool has_truth = pixels_not_finite(truth_, values_) == 0;
         int count = 0;  // the preset's own is measured, however little time there is
         const auto tried =
             search(dials_, own(), budget, kTries, [&](const Stand& at) -> std::optional<Tried> {
@@ -173,11 +174,12 @@ private:
             const Setting& from = knob.reference.setting;
             value.setting.settle = std::max(value.setting.settle, other->setting.settle);
             for (std::size_t i = 0; i < from.values.size(); ++i) {
-                if (other->setting.values[i] == from.values[i]) continue;
+                const TweakValue& wanted = other->setting.values[i];
+                if (wanted == from.values[i] || wanted == value.setting.values[i]) continue;
                 const Tweak& tweak = preset_.scene.tweaks[i];
-                value.setting.values[i] = other->setting.values[i];
+                value.setting.values[i] = wanted;
                 how += fmt::format("{}{}={}", how.empty() ? "" : " ", tweak.name,
-                                   format_value(tweak, other->setting.values[i]));
+                                   format_value(tweak, wanted));
             }
         }
         value.text = how;
@@ -225,7 +227,7 @@ private:
     }
 
     double apart(const std::vector<float>& a, const std::vector<float>& b) const {
-        return difference(a, b, how_.pass == kImagePass).rmse;
+        return difference(a, b, values_).rmse;
     }
 
     // By pictures of a quarter and of half of the work, the last of which is so far from the truth.
@@ -343,12 +345,11 @@ private:
 
     Tried measure(const Stand& at) {
         MeasuredScene& tried = scene(setting(at));
-        const bool encoded = how_.pass == kImagePass;
         const std::vector<float> picture = tried.draw_picture();
-        Difference off = difference(picture, truth_, encoded);
+        Difference off = difference(picture, truth_, values_);
         if (limit_.of == Limit::Of::flip || !limit_.number)
             off.flip =
-                mean_where_finite(flip_map(picture, truth_, size_, {.encoded = encoded}), truth_);
+                mean_where_finite(flip_map(picture, truth_, size_, {.values = values_}), truth_);
         std::vector<double> ratios;
         for (int i = 0; i < quick_frames_; ++i)
             ratios.push_back(time(tried.time_frame()) / time(base_->time_frame()));
@@ -372,6 +373,7 @@ private:
     // A program has its menus as constants, so that each method costs what it costs, and numbers as
     // uniforms, so that it serves all of them.
     MeasureOptions how_;
+    Values values_;  // of what is compared
     const SearchCaller& caller_;
     Knob knob_;  // what is found
     std::vector<Knob> knobs_;

@@ -14,6 +14,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace glint {
 namespace {
@@ -76,7 +77,7 @@ void require_report_apart(const std::array<Look, 2>& looks, const fs::path& fold
         inputs.insert(inputs.end(), read.begin(), read.end());
     }
     require_apart(outputs, inputs);
-    require_own_report(outputs, folder / "looks.json", "b");
+    require_own_report(outputs, folder / "looks.json", "b", "<title>Glint: two looks<");
 }
 
 // What is drawn beside a picture of 8 bits is what a file of these would keep.
@@ -89,18 +90,47 @@ void round_as_the_other(const std::array<Look, 2>& looks, Comparison& found) {
             round_to_bytes(found.pictures[i], found.pictures[1 - i]);
 }
 
+Values values_of(const Look& look) {
+    if (!look.picture) return Values::display;
+    return !look.picture->buffer.empty() ? Values::data
+           : look.picture->is_light      ? Values::light
+                                         : Values::display;
+}
+
+// A picture for a display beside one in light is compared in light; buffers with buffers alone.
+void agree_on_values(const std::array<Look, 2>& looks, Comparison& found) {
+    const Values a = values_of(looks[0]), b = values_of(looks[1]);
+    if (a != b && (a == Values::data || b == Values::data)) {
+        const Look& buffer = looks[a == Values::data ? 0 : 1];
+        throw UsageError(
+            fmt::format("{} holds the buffer {}, and no picture: compare it with "
+                        "another buffer.",
+                        buffer.file.string(), in_quotes(buffer.picture->buffer)));
+    }
+    found.values = a == b ? a : Values::light;
+    for (const std::size_t i : {0u, 1u})
+        if (values_of(looks[i]) != found.values) decode_display(found.pictures[i]);
+}
+
+std::size_t pixels_of_other_alpha(std::span<const float> a, std::span<const float> b) {
+    std::size_t count = 0;
+    for (std::size_t i = 3; i < std::min(a.size(), b.size()); i += 4)
+        count += std::abs(a[i] - b[i]) > 1.0f / 255.0f;
+    return count;
+}
+
 void compare_pictures(Comparison& found) {
     const auto& [a, b] = found.pictures;
-    found.error = difference(a, b);
-    found.seen = flip_map(a, b, found.size);
-    found.error.flip = mean(found.seen);
-    const std::size_t worst = worst_pixel(a, b);
+    found.error = difference(a, b, found.values);
+    found.seen = flip_map(a, b, found.size, {.values = found.values});
+    found.error.flip = mean_where_finite(found.seen, b);
+    const std::size_t worst = worst_pixel(a, b, found.values);
     const auto width = static_cast<std::size_t>(found.size.x);
     found.worst = {static_cast<int>(worst % width),
                    found.size.y - 1 - static_cast<int>(worst / width)};
     for (std::size_t i = 0; i < 2; ++i) {
-        const float* rgb = &found.pictures[i][worst * 4];
-        found.at_worst[i] = {rgb[0], rgb[1], rgb[2]};
+        const float* numbers = &found.pictures[i][worst * 4];
+        found.at_worst[i] = {numbers[0], numbers[1], numbers[2], numbers[3]};
     }
 }
 
@@ -168,7 +198,10 @@ void run_looks(const StudyOptions& options) {
     if (!options.output.empty()) require_report_apart(looks, options.output);
     draw(looks, options, found);
     round_as_the_other(looks, found);
+    agree_on_values(looks, found);
     compare_pictures(found);
+    if (looks[0].picture && looks[1].picture && found.values != Values::data)
+        found.alpha_off = pixels_of_other_alpha(found.pictures[0], found.pictures[1]);
     if (!options.output.empty()) write_comparison(options.output, found);
     if (options.view.json)
         say_result("{}\n", json_text(to_json(found)));

@@ -3,6 +3,7 @@
 
 #include "gl/context.h"
 #include "measure/probe/loop_turns.h"
+#include "measure/rows/difference.h"
 #include "measure/study/plan.h"
 #include "measure/study/rounds.h"
 #include "render/renderer.h"
@@ -40,6 +41,11 @@ private:
     std::vector<bool> acts_;
     std::deque<Reached> reached_;  // the oldest first
 };
+
+// What the numbers of a pass's output are.
+inline Values values_of_pass(std::size_t pass) {
+    return pass == kImagePass ? Values::display : Values::data;
+}
 
 struct MeasureOptions {
     std::size_t pass = kImagePass;         // what is compared

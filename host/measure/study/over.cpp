@@ -1,5 +1,6 @@
 #include "measure/study/over.h"
 
+#include "base/say.h"
 #include "base/words.h"
 #include "offline/common.h"
 
@@ -35,9 +36,14 @@ std::vector<View> presets_of(const Preset& preset, const StudyOptions& options) 
     for (const fs::path& file : presets_near(preset)) {
         ReadPreset read = read_preset(file);
         std::error_code none;
+        if (!read.preset)
+            say_warning(fmt::format(
+                "{} is left out: {}", file.string(),
+                read.diagnostics.empty() ? "it cannot be read" : read.diagnostics.front().text));
         if (!read.preset ||
             !fs::equivalent(read.preset->scene.files.front(), preset.scene.files.front(), none))
             continue;
+        if (!fs::equivalent(file, preset.file, none)) report(read.diagnostics);
         read.preset->size = preset.size;
         ViewOptions laid = options.view;
         laid.size.clear();

@@ -192,11 +192,14 @@ std::string index(std::span<const Study> studies) {
 }  // namespace
 
 void require_own_report(const std::vector<NamedFile>& outputs, const std::filesystem::path& data,
-                        const char* key) {
+                        const char* key, const char* title) {
     std::string why_not;
     const nlohmann::json known =
         nlohmann::json::parse(read_bytes(data, why_not).value_or(""), nullptr, false);
     if (known.is_object() && known.contains(key)) return;
+    // Its page is enough where the file beside it is damaged.
+    const std::string page = read_bytes(data.parent_path() / "index.html", why_not).value_or("");
+    if (page.find(title) != page.npos) return;
     for (const NamedFile& output : outputs) {
         std::error_code unknown;
         if (std::filesystem::symlink_status(output.name, unknown).type() ==

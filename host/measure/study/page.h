@@ -13,9 +13,9 @@ namespace glint {
 
 // Throws UsageError where one of the files that a report is to write, all in one folder, stands
 // there and is somebody else's. Those of an earlier report have beside them its data, a JSON object
-// of ours: `data`, with an entry `key`.
+// of ours: `data`, with an entry `key`; where that is damaged, index.html with this `title` tells.
 void require_own_report(const std::vector<NamedFile>& outputs, const std::filesystem::path& data,
-                        const char* key);
+                        const char* key, const char* title);
 
 // Writes `folder`/index.html. The diagrams are drawn by gnuplot; where it is missing, the page says
 // so in their place.

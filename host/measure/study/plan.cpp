@@ -107,6 +107,7 @@ private:
     void choose_direction(const Tweak& tweak, Knob& knob) const;
     void settle_accumulating(KnobValue& truth, Knob& knob) const;
     std::optional<KnobValue> second_seed(const KnobValue& truth) const;
+    bool is_another_seed(const KnobValue& value, const KnobValue& truth) const;
     KnobValue turned(KnobValue value, const std::vector<Turned>& list) const;
     std::optional<KnobValue> named_second(const Knob& knob) const;
     struct Named {
@@ -218,6 +219,16 @@ void Planner::settle_accumulating(KnobValue& truth, Knob& knob) const {
         fmt::format("the reference, {}, accumulates {} more frames", truth.text, settle));
 }
 
+// The same work with other random numbers, and nothing else.
+bool Planner::is_another_seed(const KnobValue& value, const KnobValue& truth) const {
+    const std::optional<KnobValue> seeded = second_seed(truth);
+    if (!seeded) return false;
+    Setting setting = value.setting;
+    const Tweak& seed = *find_tweak(preset_.scene, "seed");
+    setting.values[index(seed)] = truth.setting.values[index(seed)];
+    return setting == truth.setting;
+}
+
 std::optional<KnobValue> Planner::second_seed(const KnobValue& truth) const {
     const Tweak* seed = find_tweak(preset_.scene, "seed");
     if (!seed || !is_number(*seed) || !facts_.read[index(*seed)]) return std::nullopt;
@@ -258,6 +269,13 @@ std::optional<KnobValue> Planner::with_work(const Tweak& tweak, const Knob& knob
         if (of.type == TweakType::int1) number = std::clamp(std::floor(number), -kMost, kMost);
     };
     const bool is_more = times > 1.0;
+    // Its own slider's way to its own reference.
+    const auto multiply_work = [&](const Tweak& of, double by) {
+        Knob one{.reference = value(of, of.reference.value_or(preset_.values[index(of)]))};
+        for (const TweakValue& v : values_of(of)) one.values.push_back(value(of, v));
+        if (!one.values.empty() && of.reference) choose_direction(of, one);
+        multiply(of, one.more_is_better ? by : 1.0 / by);
+    };
     const auto unless_same = [&] {
         return result.setting == truth.setting ? std::nullopt : std::optional(result);
     };
@@ -277,7 +295,7 @@ std::optional<KnobValue> Planner::with_work(const Tweak& tweak, const Knob& knob
     const bool any_own = std::ranges::find(own, true) != own.end();
     for (const Tweak& other : preset_.scene.tweaks) {
         const bool is_wanted = any_own ? own[index(other)] : other.quality && is_number(other);
-        if (is_wanted && &other != &tweak) multiply(other, times);
+        if (is_wanted && &other != &tweak) multiply_work(other, times);
     }
     result.text += fmt::format(", {} quality {}", any_own ? "its own" : "all other",
                                is_more ? "doubled" : "halved");
@@ -337,6 +355,10 @@ void Planner::choose_second(const Tweak& tweak, Knob& knob) const {
     }
     knob.second = named_second(knob);
     knob.names_second = knob.second.has_value();
+    if (knob.names_second && is_another_seed(*knob.second, knob.reference)) {
+        knob.second_work = {SecondWork::Kind::seed, 1.0};
+        knob.more = with_work(tweak, knob, knob.reference, 2.0);
+    }
     if (knob.names_second) return;
     if (!options_.second.empty())
         knob.notes.push_back(
@@ -459,10 +481,7 @@ Knob varied_knob(const Planner& planner, const Preset& preset, const SceneFacts&
             throw UsageError("--vary settle: no pass of this scene accumulates frames.");
         }
         std::vector<int> frames;
-        for (const std::string& word : words) {
-            frames.push_back(static_cast<int>(parse_number(word).value_or(-1.0)));
-            if (frames.back() < 0) throw UsageError("--vary settle: write whole numbers from 0.");
-        }
+        for (const std::string& word : words) frames.push_back(glint::frames(word));
         return planner.settle_knob(frames);
     }
     if (!tweak && names_a_format(vary.name)) return planner.format_knob(vary.name, words);

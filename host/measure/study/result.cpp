@@ -283,9 +283,8 @@ void find_wrong_reference(Study& study, const Knob& knob, const Steps& steps) {
 // Steps that are as long at the reference as they are among the rows never end: as those of a sum
 // that grows with the logarithm of its terms. By the same factor of work.
 bool goes_on(const Study& study, const Knob& knob, const Steps& steps) {
-    if (steps.to_next.size() < 3 || !study.reference_error || !study.has_own_error() ||
-        !knob.reference.work || knob.second_work.kind != SecondWork::Kind::more ||
-        knob.second_work.ratio <= 1.0)
+    if (steps.to_next.size() < 3 || !study.has_own_error() || !knob.reference.work ||
+        knob.second_work.kind != SecondWork::Kind::more || knob.second_work.ratio <= 1.0)
         return false;
     std::vector<double> work, step;
     for (std::size_t i = 0; i < steps.to_next.size(); ++i) {
@@ -301,20 +300,24 @@ bool goes_on(const Study& study, const Knob& knob, const Steps& steps) {
     return -*log_slope(work, step) < kNoOrder;
 }
 
-// Of rows beyond it nothing is known.
-bool lies_among(const Knob& knob, const Steps& steps) {
-    if (!knob.reference.work || *knob.reference.work <= 0.0 || steps.work.empty()) return false;
+// Of rows beyond the reference nothing is known: those of less work alone.
+Steps before_reference(const Knob& knob, Steps steps) {
+    if (!knob.reference.work || *knob.reference.work <= 0.0) return steps;
     const double work = knob.more_is_better ? *knob.reference.work : 1.0 / *knob.reference.work;
-    return steps.work.front() < work && work < steps.work.back();
+    while (!steps.work.empty() && steps.work.back() > work) {
+        steps.work.pop_back();
+        steps.rows.pop_back();
+        if (steps.to_next.size() > steps.work.size()) steps.to_next.pop_back();
+    }
+    return steps;
 }
 
 // More work that brings no row nearer to the reference, and the reference no nearer to its second,
 // goes nowhere.
-void find_convergence(Study& study, const Knob& knob, const Steps& steps) {
+void find_convergence(Study& study, const Knob& knob, const Steps& all) {
+    const Steps steps = before_reference(knob, all);
     std::vector<double> errors;
     for (const StudyRow* row : steps.rows) errors.push_back(std::max(row->error->rmse, 1e-12));
-    study.converges = true;
-    if (lies_among(knob, steps)) return;
     study.converges = !goes_on(study, knob, steps);
     if (!study.converges) {
         study.findings.push_back(fmt::format(
@@ -330,8 +333,7 @@ void find_convergence(Study& study, const Knob& knob, const Steps& steps) {
         return;
     // One that has grown may be on its way down, as terms of a series are.
     if (errors.back() < kNoNearer * std::ranges::max(errors)) return;
-    const bool is_known = study.reference_error && study.has_own_error();
-    const double apart = is_known ? study.reference_error->rmse : 0.0;
+    const double apart = study.has_own_error() ? study.reference_error->rmse : 0.0;
     study.converges = apart < kNoNearer * typical && -*slope > kGrowingOrder;
     if (study.converges) return;
     study.findings.push_back(
@@ -358,7 +360,7 @@ void find_broken_reference(Study& study) {
 }
 
 void find_broken_second(Study& study) {
-    if (study.has_own_error()) return;
+    if (study.has_own_error() || !study.reference_error) return;
     study.findings.push_back(fmt::format(
         "the second reference, {}, {}: the reference's own error is not known; name another with "
         "--second",
@@ -508,8 +510,7 @@ void judge(Study& study, const Knob& knob, bool on_software) {
     take_times(study, on_software);
     study.findings.clear();
     study.notes = knob.notes;  // a study over several views is judged again
-    const bool is_measured = study.reference_error && study.has_own_error();
-    const double apart = is_measured ? study.reference_error->rmse : 0.0;
+    const double apart = study.has_own_error() ? study.reference_error->rmse : 0.0;
     // What the order is depends on what can be told from the reference, and that on the order.
     study.order.reset();
     const Steps steps = steps_of(study, knob.more_is_better);

@@ -267,10 +267,10 @@ void StudyStore::keep_cut_pass(const StudyKey& key, const std::string& pass) con
 
 std::string StudyStore::keep_map(const StudyKey& key, std::span<const float> picture,
                                  std::span<const float> reference, glm::ivec2 size,
-                                 bool encoded) const {
+                                 Values values) const {
     if (folder_.empty()) return {};
     Image map = bytes_image(size);
-    map.pixels = difference_heat(picture, reference, encoded);
+    map.pixels = difference_heat(picture, reference, values);
     write_image(cleared(folder_ / map_file(key)), map);
     return map_file(key);
 }

@@ -53,7 +53,7 @@ public:
     // Where the two pictures differ: the largest channel, in light, on a scale of colours from
     // 1/10000 (black) to 1 (white), a decade a step. Not finite: magenta. The file's name.
     std::string keep_map(const StudyKey& key, std::span<const float> picture,
-                         std::span<const float> reference, glm::ivec2 size, bool encoded) const;
+                         std::span<const float> reference, glm::ivec2 size, Values values) const;
 
     // The same colours for what a person sees of it: flip_map(), from 0 (black) to 1 (white).
     std::string keep_flip_map(const StudyKey& key, std::span<const float> map,

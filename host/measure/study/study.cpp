@@ -75,8 +75,8 @@ void tell(const Scenery& scenery, const Knob& knob, const Study& study, bool don
     scenery.lines.tell(study, knob, scenery.context.is_software(), done);
 }
 
-bool is_encoded(const Scenery& scenery) {
-    return scenery.how.pass == kImagePass;
+Values values_of(const Scenery& scenery) {
+    return values_of_pass(scenery.how.pass);
 }
 
 StudyKey key_of(const Scenery& scenery, const Knob& knob, const KnobValue& value,
@@ -92,8 +92,8 @@ struct Reference {
     std::string file{};  // seen from the report
 
     // Beyond that no row can be compared.
-    bool is_finite_anywhere() const {
-        return pixels_not_finite(drawn.rgba) < drawn.rgba.size() / 4;
+    bool is_finite_anywhere(Values values) const {
+        return pixels_not_finite(drawn.rgba, values) < drawn.rgba.size() / 4;
     }
 };
 
@@ -190,9 +190,9 @@ StudyRow measure_row(const Scenery& scenery, const Knob& knob, const KnobValue& 
         return row;
     }
     if (reference) {
-        const bool encoded = is_encoded(scenery);
+        const Values values = values_of(scenery);
         row.is_reference = value.setting == knob.reference.setting;
-        row.error = difference(picture, reference->drawn.rgba, encoded);
+        row.error = difference(picture, reference->drawn.rgba, values);
         const std::size_t own = row.error->not_finite - row.error->reference_not_finite;
         if (own > 0) row.failed = fmt::format("diverged: {} pixels are not finite", own);
         if (!reference->drawn.cut_pass.empty() || works_more(value, knob.reference)) {
@@ -200,15 +200,14 @@ StudyRow measure_row(const Scenery& scenery, const Knob& knob, const KnobValue& 
             if (!cut.empty()) row.failed = loops_cut(cut);
         }
         const std::vector<float> seen =
-            flip_map(picture, reference->drawn.rgba, scenery.size, {.encoded = encoded});
+            flip_map(picture, reference->drawn.rgba, scenery.size, {.values = values});
         row.error->flip = mean_where_finite(seen, reference->drawn.rgba);
-        if (!reference->is_finite_anywhere()) row.error.reset();
+        if (!reference->is_finite_anywhere(values)) row.error.reset();
         if (!previous.empty()) {
-            row.rmse_to_previous = difference(picture, previous, encoded).rmse;
+            row.rmse_to_previous = difference(picture, previous, values).rmse;
         }
         row.picture = scenery.store.keep_picture(key, picture, scenery.size);
-        row.map =
-            scenery.store.keep_map(key, picture, reference->drawn.rgba, scenery.size, encoded);
+        row.map = scenery.store.keep_map(key, picture, reference->drawn.rgba, scenery.size, values);
         row.flip_map = scenery.store.keep_flip_map(key, seen, scenery.size);
     }
     return row;
@@ -222,7 +221,7 @@ void tell_apart(const Scenery& scenery, const std::vector<std::vector<float>>& p
     for (std::size_t a = 0; a < count; ++a) {
         for (std::size_t b = 0; b < a; ++b) {
             if (pictures[a].empty() || pictures[b].empty()) continue;
-            const double rmse = difference(pictures[a], pictures[b], is_encoded(scenery)).rmse;
+            const double rmse = difference(pictures[a], pictures[b], values_of(scenery)).rmse;
             study.rows[a].apart[b] = study.rows[b].apart[a] = rmse;
         }
     }
@@ -348,15 +347,15 @@ std::optional<Reference> draw_references(const Scenery& scenery, Knob& knob, Stu
         return drawn;
     };
     const auto apart = [&](const Reference& a, const Reference& b) {
-        Difference between = difference(a.drawn.rgba, b.drawn.rgba, is_encoded(scenery));
-        between.flip = mean(
-            flip_map(a.drawn.rgba, b.drawn.rgba, scenery.size, {.encoded = is_encoded(scenery)}));
+        const Values values = values_of(scenery);
+        Difference between = difference(a.drawn.rgba, b.drawn.rgba, values);
+        between.flip = mean(flip_map(a.drawn.rgba, b.drawn.rgba, scenery.size, {.values = values}));
         return between;
     };
     Reference reference = draw(knob.reference);
     study.reference_picture = reference.file;
-    study.reference_not_finite = pixels_not_finite(reference.drawn.rgba);
-    study.reference_size = size_of_values(reference.drawn.rgba);
+    study.reference_not_finite = pixels_not_finite(reference.drawn.rgba, values_of(scenery));
+    study.reference_size = size_of_values(reference.drawn.rgba, values_of(scenery));
     study.reference_cut = cut;
     tell(scenery, knob, study);
     // Beside `truth`; of twice the work where another seed changes nothing.
@@ -540,7 +539,8 @@ void require_report_apart(const StudyOptions& options) {
         const ReadPreset read = read_preset(file);
         if (read.preset) require_apart(outputs, files_read_for(*read.preset));
     }
-    require_own_report(outputs, options.output / "study.json", "studies");
+    require_own_report(outputs, options.output / "study.json", "studies",
+                       "<title>Glint: error against run time<");
 }
 
 }  // namespace

@@ -19,7 +19,9 @@ constexpr std::size_t kMostListed = 256;  // that dots stand for
 std::vector<TweakValue> spread_values(const Tweak& tweak, double least, double most) {
     std::vector<TweakValue> list;
     const auto add = [&](double v) {
-        const TweakValue value = clamp_to_range(tweak, {v});
+        // Of what the sum leaves beyond twelve digits nobody has asked.
+        const double rounded = parse_number(fmt::format("{:.12g}", v)).value_or(v);
+        const TweakValue value = clamp_to_range(tweak, {rounded});
         if (list.empty() || list.back() != value) list.push_back(value);
     };
     const bool whole = tweak.type == TweakType::int1;
