@@ -304,6 +304,19 @@ std::optional<Diagnostic> ReadText::mistyped_directive(const Spot& spot) const {
                       fmt::format("'#{}' is no directive; did you mean '#{}'?", word, meant)};
 }
 
+// A macro's operator behind one of its arguments, of which a driver names the first operand's
+// place.
+Spot ReadText::with_macro_of_operator(Spot spot) const {
+    const std::size_t next = spot.token + 1;
+    if (next >= read_.tokens.size() || read_.tokens[spot.token].use == kNone) return spot;
+    const Spot behind = spot_of(next);
+    const bool is_operator = !read_.tokens[next].is_word() && !read_.tokens[next].is(")") &&
+                             !read_.tokens[next].is(";") && !read_.tokens[next].is(",");
+    return is_operator && behind.use == read_.tokens[spot.token].use
+               ? Spot{spot.at, behind.use, behind.defined, spot.token}
+               : spot;
+}
+
 Diagnostic ReadText::complaint(Said said) const {
     const auto& [severity, line, column, is_expanded, said_words, token] = said;
     Spot spot = spot_of(said);
@@ -340,6 +353,7 @@ Diagnostic ReadText::complaint(Said said) const {
         where = place_of(*syntax);
         spot.use = kNone;
     }
+    if (spot.use == kNone && !syntax) spot = with_macro_of_operator(spot);
     if (spot.use != kNone && pass_.origin(spot.defined)) {
         const Place defined = place(spot.defined);
         const std::string what = fmt::format("{}{} stands for, {}:{}:{})", kInMacro,

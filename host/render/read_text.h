@@ -63,6 +63,7 @@ public:
 private:
     std::string help_with_size(const Spot& spot) const;
     std::optional<Diagnostic> mistyped_directive(const Spot& spot) const;
+    Spot with_macro_of_operator(Spot spot) const;
     bool compares_twice(const Spot& spot) const;
     std::string no_variable(const Spot& spot) const;
     Spot second_parameter(const Spot& spot, std::string_view name) const;

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <regex>
 #include <utility>
 #include <vector>
@@ -107,22 +108,28 @@ public:
     std::optional<std::size_t> open() const {
         return open_.empty() ? std::nullopt : std::optional(open_.back());
     }
+    // Whether such a one is open there, further out or not, within the same braces.
+    bool is_within(std::string_view bracket) const {
+        for (std::size_t i = open_.size(); i-- > 0 && !tokens_[open_[i]].is("{");)
+            if (tokens_[open_[i]].is(bracket)) return true;
+        return false;
+    }
+    // Whether an expression stands there that brackets may hold, and no statement begins.
+    bool goes_on_in_brackets() const {
+        const bool is_call = is_known_type(0) && is(1, "(");
+        const bool begins_statement = is(1, "=") || (is_reserved(0) && !is_call);
+        return is_in_brackets() && !begins_statement && !word(0).empty() &&
+               (std::isalnum(static_cast<unsigned char>(word(0)[0])) != 0 || word(0)[0] == '.');
+    }
     bool is_in_brackets() const { return !open_.empty() && !tokens_[open_.back()].is("{"); }
     bool is_in_function() const { return !open_.empty() && tokens_[open_.front()].is("{"); }
     // Whether something stands before it, on another line.
     bool is_on_a_later_line() const {
         return index(-1) < tokens_.size() && (at_ >= tokens_.size() || tokens_[at_].begins_line);
     }
-    // The '(' of the ')' before the token.
-    std::optional<std::size_t> opened_before() const {
-        std::size_t i = index(-1);
-        if (!is(-1, ")")) return std::nullopt;
-        for (int depth = 0; i < tokens_.size(); --i) {
-            depth += tokens_[i].is(")") ? 1 : tokens_[i].is("(") ? -1 : 0;
-            if (depth == 0) return i;
-        }
-        return std::nullopt;
-    }
+    // The '(' of the ')' before the token, and the '{' of the '}'.
+    std::optional<std::size_t> opened_before() const { return partner_before("(", ")"); }
+    std::optional<std::size_t> block_before() const { return partner_before("{", "}"); }
     // Where a function's head begins that ends before the token, with its type.
     std::optional<std::size_t> head() const {
         const std::size_t i = opened_before().value_or(0);
@@ -131,6 +138,15 @@ public:
     }
 
 private:
+    std::optional<std::size_t> partner_before(std::string_view open, std::string_view close) const {
+        std::size_t i = index(-1);
+        if (!is(-1, close)) return std::nullopt;
+        for (int depth = 0; i < tokens_.size(); --i) {
+            depth += tokens_[i].is(close) ? 1 : tokens_[i].is(open) ? -1 : 0;
+            if (depth == 0) return i;
+        }
+        return std::nullopt;
+    }
     void follow_brackets(std::size_t i) {
         const std::string_view text = tokens_[i].text;
         if (text == "(" || text == "[" || text == "{") open_.push_back(i);
@@ -234,17 +250,51 @@ std::optional<SyntaxError> unmatched_bracket(const Complaint& complaint, const A
     if (text != ")" && text != "]" && text != "}") return std::nullopt;
     const bool is_alone = !around.open() || (text != "}" && tokens[*around.open()].text != opening);
     if (!is_alone) return std::nullopt;
+    if (around.is_within(opening))
+        return SyntaxError{fmt::format("'{}' is missing before '{}'",
+                                       tokens[*around.open()].is("(") ? ")" : "]", text),
+                           around.index(0)};
     return SyntaxError{fmt::format("no '{}' is open that this '{}' closes; take it out, or write "
                                    "the '{}' that is missing",
                                    opening, text, opening),
                        around.index(0)};
 }
 
+// An `else` without an `if`, and a condition without one.
+std::optional<SyntaxError> misplaced_else(const Around& around, std::span<const Token> tokens) {
+    const std::size_t condition = around.opened_before().value_or(0);
+    if (condition > 0 && tokens[condition - 1].is("else"))
+        return SyntaxError{"an 'else' has no condition; write else if (\u2026)", condition};
+    const bool is_behind_statement = around.is(-1, ";") || around.is(-1, "}") || around.is(-1, "{");
+    if (!around.is(0, "else") || !is_behind_statement) return std::nullopt;
+    const std::size_t block = around.block_before().value_or(0);
+    if (block > 1 && tokens[block - 1].is(";") && tokens[block - 2].is(")"))
+        return SyntaxError{"this ';' ends the 'if' before its block; take it out", block - 1};
+    const std::size_t open = around.open().value_or(0);
+    const Around before(tokens, open);
+    const std::size_t head =
+        open > 0 && tokens[open].is("{") ? before.opened_before().value_or(0) : 0;
+    if (around.is(-1, ";") && head > 0 && tokens[head - 1].is("if"))
+        return SyntaxError{"'}' is missing before 'else'", around.index(0)};
+    return SyntaxError{
+        "no 'if' stands before this 'else'; several statements of an 'if' stand in { }",
+        around.index(0)};
+}
+
+// `struct P { float m = 1.0; };`
+std::optional<SyntaxError> value_of_member(const Around& around, std::span<const Token> tokens) {
+    const std::size_t open = around.open().value_or(0);
+    const bool is_struct =
+        open > 0 && tokens[open].is("{") &&
+        (tokens[open - 1].is("struct") || (open > 1 && tokens[open - 2].is("struct")));
+    if (!is_struct || !around.is(0, "=")) return std::nullopt;
+    return SyntaxError{"no member has a value of its own here; give it where a variable is made",
+                       around.index(0)};
+}
+
 // What has a name of its own.
 std::optional<std::string> known_mistake(const Complaint& complaint, const Around& around) {
     const std::string_view text = around.word(0);
-    if (text == "else")
-        return "no 'if' stands before this 'else'; several statements of an 'if' stand in { }";
     if (text == "=" && complaint.expects("';'"))
         return "what stands left of this '=' is no variable; == compares";
     if (around.is(-1, "=") && (text == ">" || text == "<"))
@@ -360,7 +410,12 @@ SyntaxError missing(const Complaint& complaint, const Around& around) {
                 around.index(0)};
     }
     const bool is_behind = around.is_on_a_later_line();
-    if (is_behind && expected.size() > 1 && expected.back() == "','") expected.pop_back();
+    const bool has_comma = expected.size() > 1 && expected.back() == "','";
+    // The next argument follows, or the next statement.
+    if (is_behind && has_comma && around.goes_on_in_brackets())
+        std::ranges::rotate(expected, expected.end() - 1);
+    else if (is_behind && has_comma)
+        expected.pop_back();
     const std::string what = fmt::format("{}", fmt::join(expected, " or "));
     if (is_behind) return {what + " is missing here", around.index(-1), true};
     return {fmt::format("{} is missing before {}", what, here), around.index(0)};
@@ -454,6 +509,8 @@ std::optional<SyntaxError> read_syntax_error(std::string_view words, std::span<c
         if (auto error = cast(around)) return error;
         if (auto error = missing_end(around)) return error;
         if (auto error = without_type(around)) return error;
+        if (auto error = misplaced_else(around, tokens)) return error;
+        if (auto error = value_of_member(around, tokens)) return error;
         if (auto text = wrong_for(around, tokens)) return SyntaxError{std::move(*text), at};
         if (auto text = known_mistake(*complaint, around)) return SyntaxError{std::move(*text), at};
     }

@@ -42,7 +42,51 @@ TEST_F(SyntaxErrors, StandWhereSomethingIsMissing) {
               "2:7: a component, such as x, is missing before ';'");
 }
 
+TEST_F(SyntaxErrors, OfAnElseTellWhatIsMissingBeforeIt) {
+    EXPECT_EQ(first_complaint(in_image("if (p.x > 1.)\nc.x = 1.\nelse\nc.x = 2.;")),
+              "3:9: ';' is missing here");
+    EXPECT_EQ(
+        first_complaint("vec3 f(float x) {\nif (x > 1.) return vec3(1)\nelse return vec3(0);\n}\n" +
+                        in_image("")),
+        "2:27: ';' is missing here");
+    EXPECT_EQ(first_complaint(in_image("if (p.x > 1.); { c.x = 1.; } else { c.x = 2.; }")),
+              "2:14: this ';' ends the 'if' before its block; take it out");
+    EXPECT_EQ(
+        first_complaint(in_image("c.x = 1.; else c.x = 2.;")),
+        "2:11: no 'if' stands before this 'else'; several statements of an 'if' stand in { }");
+    EXPECT_EQ(first_complaint(in_image("if (p.x > 1.) { c.x = 1.; else c.x = 2.;")),
+              "2:27: '}' is missing before 'else'");
+    const std::string condition = "an 'else' has no condition; write else if (\u2026)";
+    EXPECT_EQ(
+        first_complaint(in_image("if (p.x > 1.) { c.x = 1.; } else (p.y > 1.) { c.x = 2.; }")),
+        "2:34: " + condition);
+    EXPECT_EQ(first_complaint(in_image("if (p.x > 1.) c.x = 1.; else (p.y > 1.) return;")),
+              "2:30: " + condition);
+}
+
+TEST_F(SyntaxErrors, TellOfCommasWhereArgumentsGoOnOnTheNextLine) {
+    EXPECT_EQ(first_complaint(in_image("vec3 q = vec3(1.0,\n2.0\n3.0);")),
+              "3:4: ',' or ')' is missing here");
+    EXPECT_EQ(first_complaint(in_image("vec3 q = mix(c.rgb,\nc.bgr\nvec3(0.5));")),
+              "3:6: ',' or ')' is missing here");
+    EXPECT_EQ(first_complaint(in_image("float q = max(1.0, 2.0\nfloat r = 1.0;")),
+              "2:23: ')' is missing here");
+}
+
+TEST_F(SyntaxErrors, OfAMembersValueTellThatItHasNone) {
+    EXPECT_EQ(first_complaint("struct P { float m = 1.0; };\n" + in_image("")),
+              "1:20: no member has a value of its own here; give it where a variable is made");
+}
+
 TEST_F(SyntaxErrors, NameBracketsWithoutTheirPartner) {
+    const std::string array = "float a[3];\n";
+    EXPECT_EQ(first_complaint(array + in_image("c = vec4(a[1);")),
+              "3:13: ']' is missing before ')'");
+    EXPECT_EQ(first_complaint(array + in_image("c = vec4(max(a[0, a[1]));")),
+              "3:23: ']' is missing before ')'");
+    EXPECT_EQ(first_complaint(array + in_image("c = vec4(a[(1 + 1]);")),
+              "3:18: ')' is missing before ']'");
+
     EXPECT_EQ(first_complaint("void mainImage(out vec4 c, in vec2 p) {\n  c = vec4(1);\n\n"),
               "1:39: this '{' is never closed; write '}'");
     EXPECT_EQ(first_complaint(in_image("") + "}"),
