@@ -1,6 +1,10 @@
 #include "glsl/foreign_file.h"
 
+#include "base/diagnostic.h"
 #include "base/words.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -98,6 +102,39 @@ ForeignChannels ForeignFile::channels() const {
         if (option == "Type") channel.type = value;
     }
     return channels;
+}
+
+std::string ForeignFile::why_nothing_is_said(const Directive& channel) const {
+    const std::vector<std::string> filters = {"Nearest",
+                                              "Linear",
+                                              "NearestMipMapNearest",
+                                              "LinearMipMapNearest",
+                                              "NearestMipMapLinear",
+                                              "LinearMipMapLinear"};
+    const std::map<std::string, std::vector<std::string>> known = {
+        {"MinFilter", filters},
+        {"MagFilter", {"Nearest", "Linear"}},
+        {"WrapMode", {"Repeat", "Clamp", "Mirror"}},
+        {"Type", {"Texture2D", "CubeMap"}}};
+    const std::span<const Token> rest = this->rest(channel);
+    const bool has_option = rest.size() > 2 && rest[0].is(":") && rest[1].is(":");
+    const std::string option(has_option ? rest[2].text : "");
+    const std::size_t at = has_option ? 3 : 0;
+    if (has_option && !known.contains(option)) {
+        std::vector<std::string> names;
+        for (const auto& [name, values] : known) names.push_back(name);
+        return fmt::format("unknown option {}; known are {}{}", in_quotes(option),
+                           fmt::join(names, ", "), did_you_mean(option, names));
+    }
+    if (at >= rest.size()) return "";
+    if (rest[at].kind != TokenKind::quoted)
+        return fmt::format("what fills a channel stands in quotes: #{}{} \"{}\"", channel.word,
+                           has_option ? "::" + option : "", rest[at].text);
+    const std::string value = unquoted(rest[at]);
+    if (!has_option || std::ranges::find(known.at(option), value) != known.at(option).end())
+        return "";
+    return fmt::format("{} is no {}; known are {}{}", in_quotes(value), option,
+                       fmt::join(known.at(option), ", "), did_you_mean(value, known.at(option)));
 }
 
 std::optional<ForeignUniform> ForeignFile::uniform(const Directive& directive) const {

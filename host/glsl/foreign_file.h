@@ -45,6 +45,8 @@ public:
     bool mentions(std::string_view word) const { return read_.mentions(word); }
 
     ForeignChannels channels() const;
+    // Why a channel's line says nothing, as a sentence; "" where it does.
+    std::string why_nothing_is_said(const Directive& channel) const;
     // Nothing where it is not understood.
     std::optional<ForeignUniform> uniform(const Directive& directive) const;
 

@@ -117,6 +117,7 @@ private:
     void add_uniform(const Directive& directive, int number);
     void add_channel(std::size_t index, const std::string& own_buffer);
     void add_keyboard(int number);
+    void add_nothing(const Directive& channel, int number);
     void add_key_states();
     std::string source_of(const ForeignChannel& channel, const std::string& own_buffer);
     std::string options_of(const ForeignChannel& channel);
@@ -217,11 +218,20 @@ void Rewriter::add_text(const std::string& own_buffer) {
             add_uniform(*directive->second, number);
         else if (word == "iKeyboard")
             add_keyboard(number);
-        else if (is_channel(word) || word == "StrictCompatibility")
+        else if (is_channel(word))
+            add_nothing(*directive->second, number);
+        else if (word == "StrictCompatibility")
             add("", number);
         else
             add(text_.line(number), number);
     }
+}
+
+// An option is the channel's already.
+void Rewriter::add_nothing(const Directive& channel, int number) {
+    if (std::string why = text_.why_nothing_is_said(channel); !why.empty())
+        warning(number, std::move(why));
+    add("", number);
 }
 
 // Where a text with a main() is one of several, each is drawn by its mainImage.

@@ -126,7 +126,7 @@ void TweakParser::parse_word(std::size_t at) {
         return;
     }
     words = after;
-    words.complain(
+    words.warn(
         at, fmt::format("unknown word {}; known are log, quality, norandom, unit=, step=, group=, "
                         "reference=, second=, safe=, [min, max], {{names}} and a \"description\"{}",
                         in_quotes(word), did_you_mean(word, kTweakWords)));
@@ -170,9 +170,9 @@ void TweakParser::parse_option(std::string_view key, std::size_t at, bool is_emp
     } else if (key == "reference") {
         reference = Written{words.value(), value_at};
     } else {
-        words.complain(at, fmt::format("unknown word {}; known are log, quality, norandom, unit=, "
-                                       "step=, group=, reference=, second= and safe={}",
-                                       in_quotes(key), did_you_mean(key, kTweakWords)));
+        words.warn(at, fmt::format("unknown word {}; known are log, quality, norandom, unit=, "
+                                   "step=, group=, reference=, second= and safe={}",
+                                   in_quotes(key), did_you_mean(key, kTweakWords)));
         words.text();
     }
 }

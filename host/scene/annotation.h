@@ -15,10 +15,11 @@ namespace glint {
 struct Complaint {
     std::size_t at = 0;
     std::string text;
+    Severity severity = Severity::error;  // a warning of a word that a later version may know
 };
 
 // A tweak that has its name and type already gets everything else. It is only good when there was
-// nothing to complain about.
+// nothing to complain about but by warnings.
 Tweak parse_tweak(Tweak tweak, std::string_view annotation, std::vector<Complaint>& complaints);
 
 // An option of a pass, and where it was written.

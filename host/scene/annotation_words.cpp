@@ -29,9 +29,9 @@ Words Words::ahead() const {
     return copy;
 }
 
-void Words::complain(std::size_t at, std::string text) {
+void Words::add(Complaint complaint) {
     constexpr std::size_t kMost = 20;  // of one annotation; nobody reads on
-    if (complaints_ && complaints_->size() < kMost) complaints_->push_back({at, std::move(text)});
+    if (complaints_ && complaints_->size() < kMost) complaints_->push_back(std::move(complaint));
 }
 
 void Words::skip_space() {

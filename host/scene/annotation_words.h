@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace glint {
@@ -29,7 +30,8 @@ public:
     char peek() const { return done() ? '\0' : text_[at_]; }
     std::size_t at() const { return at_; }
 
-    void complain(std::size_t at, std::string text);
+    void complain(std::size_t at, std::string text) { add({at, std::move(text)}); }
+    void warn(std::size_t at, std::string text) { add({at, std::move(text), Severity::warning}); }
 
     bool accept(char c);
     // `=` right behind a word, and how: `unit=m` and `unit = m` have a value, `unit= m` has none.
@@ -52,6 +54,7 @@ public:
 private:
     std::string_view from(std::size_t begin) const { return text_.substr(begin, at_ - begin); }
     void skip_space();
+    void add(Complaint complaint);
 
     std::string_view text_;
     std::size_t at_ = 0;

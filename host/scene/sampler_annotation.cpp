@@ -97,8 +97,8 @@ void SamplerParser::parse() {
             words.quoted_text();  // a description; nothing shows it
             continue;
         }
-        words.complain(option_at, fmt::format("unknown word {}; known here are {}=", in_quotes(key),
-                                              fmt::join(known_options(), "=, ")));
+        words.warn(option_at, fmt::format("unknown word {}; known here are {}=", in_quotes(key),
+                                          fmt::join(known_options(), "=, ")));
     }
     if (result.size && result.scale)
         words.complain(result.scale->at, "size and scale contradict each other; keep one");
@@ -223,8 +223,8 @@ void SamplerParser::parse_option(std::string_view key, std::size_t at) {
         words.complain(value_at, fmt::format("{} is {}; write {}", key, in_quotes(value), what));
     };
     if (std::ranges::find(known, key) == known.end()) {
-        words.complain(at, fmt::format("unknown word {}; known here are {}={}", in_quotes(key),
-                                       fmt::join(known, "=, "), did_you_mean(key, known)));
+        words.warn(at, fmt::format("unknown word {}; known here are {}={}", in_quotes(key),
+                                   fmt::join(known, "=, "), did_you_mean(key, known)));
     } else if (key == "filter") {
         if (const auto filter = kFilterNames.find(value))
             result.sampler.filter = *filter;

@@ -62,12 +62,11 @@ private:
     bool report(const std::vector<Complaint>& complaints, Span note);
     void blank(std::size_t begin, std::size_t end) { blanked_.push_back({begin, end}); }
     bool puts_names_together() const;
-    void error(std::size_t offset, std::string text) {
-        diagnostics_.push_back({Severity::error, source_.place(offset), std::move(text)});
+    void tell(Severity severity, std::size_t offset, std::string text) {
+        diagnostics_.push_back({severity, source_.place(offset), std::move(text)});
     }
-    void warning(std::size_t offset, std::string text) {
-        diagnostics_.push_back({Severity::warning, source_.place(offset), std::move(text)});
-    }
+    void error(std::size_t at, std::string text) { tell(Severity::error, at, std::move(text)); }
+    void warning(std::size_t at, std::string text) { tell(Severity::warning, at, std::move(text)); }
 
     struct Reader {  // `buffer NAME`, until every pass is known
         std::size_t sampler;
@@ -290,8 +289,8 @@ bool Builder::claim_name(const UniformName& declarator, const std::string& tab) 
 }
 
 bool Builder::report(const std::vector<Complaint>& complaints, Span note) {
-    for (const Complaint& complaint : complaints) error(note.begin + complaint.at, complaint.text);
-    return complaints.empty();
+    for (const auto& [at, text, severity] : complaints) tell(severity, note.begin + at, text);
+    return std::ranges::find(complaints, Severity::error, &Complaint::severity) == complaints.end();
 }
 
 void Builder::add_tweak(const Uniform& declaration, TweakType type, Span note) {
