@@ -99,8 +99,20 @@ std::string unknown_option(const CLI::App& app) {
         meant.empty() ? fmt::format("; `glint {}--help` lists those there are.", verb) : meant);
 }
 
+// A file whose name looks like options.
+std::string file_like_option(const CLI::App& app) {
+    for (const std::string& word : app.remaining(true)) {
+        std::error_code none;
+        if (word.size() > 2 && word[0] == '-' && std::filesystem::exists(word, none))
+            return fmt::format("{} is taken for an option; of a file of that name write ./{}", word,
+                               word);
+    }
+    return {};
+}
+
 // CLI11's complaints in the words of all others.
 std::string usage_text(const CLI::App& app, const CLI::ParseError& error) {
+    if (const std::string file = file_like_option(app); !file.empty()) return file;
     if (const std::string unknown = unknown_option(app); !unknown.empty()) return unknown;
     std::string text = error.what();
     if (!text.empty() && text.back() == '.') text.pop_back();

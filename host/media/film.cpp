@@ -27,11 +27,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// sRGB pictures as BT.709 video, which is what players expect; odd sides get one more pixel, since
-// colour is kept for squares of four.
+// sRGB pictures as BT.709 video, which is what players expect.
 constexpr std::string_view kToVideo =
-    "-vf pad=ceil(iw/2)*2:ceil(ih/2)*2,"
-    "scale=in_range=full:out_range=limited:out_color_matrix=bt709,"
+    "-vf scale=in_range=full:out_range=limited:out_color_matrix=bt709,"
     "setparams=colorspace=bt709:color_primaries=bt709:color_trc=bt709";
 
 // A palette for each frame: one for all would keep all in memory until the last.
@@ -68,6 +66,14 @@ const Kind* kind_of(const fs::path& file) {
     return found == std::end(kKinds) ? nullptr : found;
 }
 
+// Odd sides get one more pixel, the same as the last, since colour is kept for squares of four.
+std::string filter_of(const Kind& kind, glm::ivec2 size, glm::ivec2 kept) {
+    const glm::ivec2 more = kept - size;
+    if (more == glm::ivec2(0)) return std::string(kind.filter);
+    return fmt::format("-vf pad={}:{},format=gbrp,fillborders=right={}:bottom={}:mode=smear,{}",
+                       kept.x, kept.y, more.x, more.y, kind.filter.substr(4));
+}
+
 // The output has no name yet; FFmpeg opens it, to seek in and read back, through ours.
 std::vector<std::string> command_line(const fs::path& file, int out, glm::ivec2 size, double fps,
                                       const TemporaryFile* sound) {
@@ -78,8 +84,9 @@ std::vector<std::string> command_line(const fs::path& file, int out, glm::ivec2 
         "-f rawvideo -pixel_format rgb24 -video_size {}x{} -framerate {} -i pipe:0 {} "
         "{} {} {} {} -fflags +bitexact -flags:a +bitexact -flags:v +bitexact -y /proc/{}/fd/{}",
         size.x, size.y, std::min(fps, kind.most_fps),
-        sound ? fmt::format("-i /proc/{}/fd/{}", getpid(), sound->descriptor()) : "", kind.filter,
-        kind.codec, sound ? kind.sound_codec : "", kind.format, getpid(), out));
+        sound ? fmt::format("-i /proc/{}/fd/{}", getpid(), sound->descriptor()) : "",
+        filter_of(kind, size, size_in_film(file, size)), kind.codec, sound ? kind.sound_codec : "",
+        kind.format, getpid(), out));
     return {std::istream_iterator<std::string>(line), {}};
 }
 
@@ -103,6 +110,10 @@ std::string size_refusal_of_film(const fs::path& file, glm::ivec2 size) {
         "{}: A {} film of {}x{} pixels cannot be: a side has at most {}, and all together 268 "
         "million. Make the picture smaller with --size.",
         file.string(), kind.extension, size.x, size.y, kind.largest_side);
+}
+
+glm::ivec2 size_in_film(const fs::path& file, glm::ivec2 size) {
+    return kind_of(file)->filter == kToVideo ? (size + 1) / 2 * 2 : size;
 }
 
 std::size_t film_encoder_bytes(const fs::path& file, glm::ivec2 size) {

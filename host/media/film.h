@@ -19,6 +19,9 @@ bool is_film(const std::filesystem::path& file);
 // Why no film of this kind has pictures of this size, as a whole sentence; empty when it may.
 std::string size_refusal_of_film(const std::filesystem::path& file, glm::ivec2 size);
 
+// The size that such a film has: all but gif have even sides, and repeat a last odd column or row.
+glm::ivec2 size_in_film(const std::filesystem::path& file, glm::ivec2 size);
+
 // Bytes of memory that FFmpeg takes for such a film.
 std::size_t film_encoder_bytes(const std::filesystem::path& file, glm::ivec2 size);
 

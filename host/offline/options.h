@@ -45,6 +45,7 @@ struct StillOptions : PictureOptions {
     std::optional<int> frame{};    // instead of a time, at `fps`
     std::optional<int> settle{};   // frames drawn with time held; the preset's otherwise
     std::string pass = "image";
+    bool unasked = false;  // nobody named the output; its file says so
     int tile = 0;  // pixels: the longest side of the tiles in which to draw; 0: as suits the size
 };
 

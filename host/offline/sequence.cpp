@@ -257,6 +257,10 @@ void say_line(const SequenceOptions& options, const std::string& line) {
         say_result("{}\n", line);
 }
 
+glm::ivec2 size_of_output(const SequenceOptions& options, const Preset& preset) {
+    return is_film(options.output) ? size_in_film(options.output, preset.size) : preset.size;
+}
+
 // "1 frame", "3 frames".
 std::string counted(std::int64_t count, std::string_view what) {
     return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
@@ -264,7 +268,7 @@ std::string counted(std::int64_t count, std::string_view what) {
 
 void print_result(const SequenceOptions& options, const Run& run, double ms) {
     const double rate = static_cast<double>(run.written) / (ms / 1000.0);
-    const glm::ivec2 size = run.preset.size;
+    const glm::ivec2 size = size_of_output(options, run.preset);
     if (options.view.json) {
         const Json json = {{"output", options.output},
                            {"scene", run.preset.scene.files.front().string()},

@@ -88,8 +88,6 @@ void run_sound(const SoundOptions& options) {
             fmt::format("-o {}: name a .wav, .flac or .ogg file.", options.output.string()));
     }
     const long count = std::lround(options.seconds * kSampleRate);
-    if (count > kMostSoundSamples)
-        throw UsageError("--seconds: a WAV file ends before 3 hours 20.");
     if (count < 1) throw UsageError("--seconds: it is less than a sample; name more, such as 10.");
     const Preset preset = open_preset(options.view);
     if (!preset.scene.has_sound) {

@@ -9,7 +9,8 @@
 
 namespace glint {
 
-constexpr long kMostSoundSamples = 0x7fffffff / 4;  // as a WAV file can hold
+constexpr long kMostSoundSamples = 0x7fffffff / 4;                     // as a WAV file can hold
+constexpr double kMostSoundSeconds = kMostSoundSamples / kSampleRate;  // whole ones
 
 // Throws what main() turns into exit codes.
 void run_sound(const SoundOptions& options);

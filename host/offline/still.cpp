@@ -275,6 +275,7 @@ void write_file(Still& still) {
     Metadata metadata =
         metadata_of(still.options, still.preset, still.frame, still.context.renderer());
     metadata.emplace_back("glint:pass", still.options.pass);
+    if (still.options.unasked) metadata.emplace(metadata.begin(), kUnasked, "yes");
     if (still.tiling.tile == glm::ivec2(0))
         write_whole(still, metadata);
     else

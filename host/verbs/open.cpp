@@ -22,13 +22,13 @@ namespace glint {
 namespace {
 
 // Such a PNG says so before its pixels.
-bool is_drawn_by_glint(const std::filesystem::path& file) {
+bool is_drawn_unasked(const std::filesystem::path& file) {
     std::error_code error;
     if (!std::filesystem::is_regular_file(file, error)) return false;
     std::string head(256, '\0');
     std::ifstream(file, std::ios::binary)
         .read(head.data(), static_cast<std::streamsize>(head.size()));
-    return head.starts_with("\x89PNG") && head.find("glint:scene") != head.npos;
+    return head.starts_with("\x89PNG") && head.find(kUnasked) != head.npos;
 }
 
 // One that may not be read would look as if nothing were in it.
@@ -52,11 +52,15 @@ void run_open(const ViewOptions& options, const Stopwatch& since_start) {
     if (browses) return say_first_commands(options.file);
     StillOptions still;
     still.view = options;
-    // Nobody named it, so of what is there only a picture goes that Glint drew.
+    // Nobody named it, so of what is there only a picture goes that nobody named either.
+    still.unasked = true;
     still.output = options.file.stem().string() + ".png";
-    if (is_taken(still.output) && !is_drawn_by_glint(still.output))
+    if (is_taken(still.output) && !is_drawn_unasked(still.output))
         still.output = free_picture_name(options.file);
-    say("There is no display; the picture goes to {}.\n", still.output.string());
+    // Nothing is promised before what is wrong with it is told.
+    ReadPreset read = read_preset(options.file);
+    if (read.preset) lay_over(*read.preset, options);
+    if (read.preset) say("There is no display; the picture goes to {}.\n", still.output.string());
     run_still(still, since_start);
 }
 

@@ -13,7 +13,7 @@ void declare(CLI::App& verb, SoundOptions& sound) {
         ->type_name(kFile)
         ->required();
     verb.add_option("--seconds", sound.seconds, "from the start; 180 otherwise")
-        ->check(from(0.0, 1e5));
+        ->check(from(0.0, kMostSoundSeconds));
     add_examples(verb, {"glint sound presets/sea.toml -o surf.ogg --seconds 5"});
 }
 

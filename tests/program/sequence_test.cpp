@@ -244,6 +244,24 @@ TEST_F(Sequence, AFullDiskEndsItWithAWordAndWholeFiles) {
     }
 }
 
+// Colour is kept for squares of four pixels.
+TEST_F(Sequence, AFilmOfOddSidesRepeatsItsLastColumnAndRow) {
+    write("scene.frag", "void mainImage(out vec4 c, in vec2 p) { c = vec4(0.8, 0.5, 0.3, 1); }\n");
+    for (const std::string name : {"film.mp4", "film.webm", "film.mov"}) {
+        SCOPED_TRACE(name);
+        EXPECT_EQ(result({"scene.frag", "-o", name, "--frames", "0:2", "--size", "17x5"})["size"],
+                  Json({18, 6}));
+        const std::string decode = fmt::format(
+            "cd '{}' && ffmpeg -nostdin -loglevel error -i {} -vf format=rgb24 -f rawvideo -y raw",
+            folder().string(), name);
+        ASSERT_EQ(std::system(decode.c_str()), 0);
+        const std::string raw = bytes("raw");
+        ASSERT_EQ(raw.size(), 3u * 18 * 6 * 3);
+        for (std::size_t i = 0; i < raw.size(); i += 3)
+            ASSERT_NEAR(static_cast<unsigned char>(raw[i]), 204, 6) << i / 3;
+    }
+}
+
 TEST_F(Sequence, AFilmHasEveryFrameInItsColours) {
     write("scene.frag",
           "void mainImage(out vec4 c, in vec2 p) {\n"

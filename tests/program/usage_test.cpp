@@ -237,6 +237,40 @@ TEST_F(Usage, WithoutADisplayNoPictureThatIsThereGoes) {
     EXPECT_EQ(bytes("rings.png"), "precious");
 }
 
+TEST_F(Usage, AFileWhoseNameLooksLikeAnOptionIsToldHowToBeNamed) {
+    write("-dash.frag", kGradient);
+    for (const std::vector<std::string>& words : {std::vector<std::string>{"-dash.frag"},
+                                                  {"info", "-dash.frag"},
+                                                  {"still", "-dash.frag", "-o", "a.png"}}) {
+        const Outcome outcome = glint(words);
+        EXPECT_EQ(outcome.code, 2);
+        EXPECT_NE(outcome.err.find("write ./-dash.frag"), std::string::npos) << outcome.err;
+    }
+    EXPECT_EQ(glint({"info", "./-dash.frag"}).code, 0);
+}
+
+// What such a call drew goes for what the next one draws; what a person had drawn stays.
+TEST_F(Usage, WithoutADisplayAStillOfTheSameNameStays) {
+    write("rings.frag", kGradient);
+    Command open = command({"rings.frag", "--size", "64x36"});
+    open.environment = {{"DISPLAY", ""}, {"WAYLAND_DISPLAY", ""}};
+    still({"rings.frag", "-o", "rings.png", "--size", "80x45", "--samples", "4"});
+    const std::string asked = bytes("rings.png");
+    for (int i = 0; i < 2; ++i) {
+        const Outcome outcome = run(open);
+        EXPECT_NE(outcome.err.find("rings-0001.png"), std::string::npos) << outcome.err;
+        fs::remove(folder() / "rings-0001.png");
+    }
+    EXPECT_EQ(bytes("rings.png"), asked);
+    fs::remove(folder() / "rings.png");
+    for (int i = 0; i < 2; ++i)
+        EXPECT_NE(run(open).err.find("goes to rings.png"), std::string::npos);
+    open.arguments.insert(open.arguments.end(), {"--tweak", "none=1"});
+    const Outcome wrong = run(open);
+    EXPECT_EQ(wrong.code, 2);
+    EXPECT_EQ(wrong.err.find("goes to"), std::string::npos) << wrong.err;
+}
+
 TEST_F(Usage, AFolderWithoutADisplayIsToldWithAFileOfIts) {
     write("looks/rings.frag", kGradient);
     Command folder = command({"looks"});

@@ -8,6 +8,7 @@
 #include "glsl/raw_text.h"
 #include "measure/check/case.h"
 #include "measure/check/junit.h"
+#include "offline/examples.h"
 #include "offline/named_files.h"
 
 #include <fmt/format.h>
@@ -192,7 +193,8 @@ void run_check(const CheckOptions& options) {
     const ExitCode code = exit_code(files);
     std::fflush(stdout);  // the table first
     if (code == ExitCode::check_failed && !options.view.json && !options.lines)
-        say("What each case means, and how to mend it: docs/checking.md\n");
+        say("What each case means, and how to mend it: {}\n",
+            documentation("checking.md").string());
     if (code != ExitCode::done) throw Stop(code);
 }
 
