@@ -15,9 +15,9 @@ struct Variable {
     std::string_view name, member;
 };
 
-// How a turn changes a variable.
+// How a turn changes a variable. One that `jumps`, `i = 8`, counts where it is moved as well.
 struct Movement {
-    enum class Kind : std::uint8_t { none, by_number, counts, other };
+    enum class Kind : std::uint8_t { none, by_number, jumps, counts, other };
     Kind kind = Kind::none;
     double by = 0.0;
 };
@@ -126,7 +126,8 @@ private:
                 continue;
             const Variable variable = variable_at(at);
             const Movement movement = movement_of(variable);
-            if (movement.kind == Movement::Kind::none || movement.kind == Movement::Kind::other)
+            if (movement.kind != Movement::Kind::by_number &&
+                movement.kind != Movement::Kind::counts)
                 continue;
             best = smaller(best, {LoopBound::Kind::some});
             if (movement.kind == Movement::Kind::by_number && is_alone(variable, side))
@@ -170,20 +171,24 @@ private:
     }
 
     static Movement joined(const Movement& a, const Movement& b) {
+        using Kind = Movement::Kind;
         if (a.kind == Movement::Kind::none) return b;
-        if (a.kind != b.kind) return {std::max(a.kind, b.kind)};
+        const Kind most = std::max(a.kind, b.kind);
+        if (a.kind != b.kind) return {most == Kind::jumps ? Kind::counts : most};
         if (a.kind == Movement::Kind::by_number && (a.by < 0.0) != (b.by < 0.0))
             return {Movement::Kind::other};
         return std::abs(a.by) < std::abs(b.by) ? a : b;
     }
 
     Movement movement_of(const Variable& variable) const {
+        const Variable whole = {variable.name, ""};
         Movement all;
-        for (std::uint32_t at = loop_.tokens.begin; at < loop_.tokens.end; ++at)
-            if (is_at(variable, at))
-                if (const Movement one = movement_at(variable, at);
-                    one.kind != Movement::Kind::none)
-                    all = joined(all, one);
+        for (std::uint32_t at = loop_.tokens.begin; at < loop_.tokens.end; ++at) {
+            const Variable& moved = is_at(whole, at) ? whole : variable;
+            if (!is_at(moved, at)) continue;
+            if (const Movement one = movement_at(moved, at); one.kind != Movement::Kind::none)
+                all = joined(all, one);
+        }
         return all;
     }
 
@@ -231,6 +236,7 @@ private:
         if (op > value.begin && op < value.end && (word(op) == "+" || word(op) == "-"))
             if (const auto by = least({op + 1, value.end}))
                 return {Kind::by_number, word(op) == "+" ? *by : -*by};
+        if (!in_step && constants_.value(value)) return {Kind::jumps};
         // `i = 2 * i + 1`
         return {in_step || (has_itself && !has_others) ? Kind::counts : Kind::other};
     }

@@ -186,6 +186,12 @@ TEST(LongLoops, AreThoseWhoseTurnsTogetherPassTheBudget) {
                     "}\n"),
               List{"long-loop 2"});
     EXPECT_EQ(found("void f() {\n for (;;) ;\n}\n"), List{"loop-without-bound 2"});
+    EXPECT_EQ(found("void f() {\n float x = 0.0; while (x < 3.0) { x = 1.0; }\n}\n"),
+              List{"loop-without-bound 2"});
+    for (const char* ends : {"for (int i = 0; i < 10; i++) { if (i == 3) i = 8; }",
+                             "for (int i = 0; i < 10; i++) { if (h < 0.1) { i = 100; continue; } }",
+                             "for (vec2 v = vec2(0); v.x < 4.0; v += 1.0) h += v.x;"})
+        EXPECT_EQ(found("float h;\nvoid f() {\n" + std::string(ends) + "\n}\n"), List{}) << ends;
     EXPECT_EQ(found("void f() { f(); for (int i = 0; i < 3; ++i) f(); }\n"), List{});
 }
 
