@@ -97,6 +97,16 @@ std::string shell_file(const std::string& name) {
     return shell_word(name.starts_with('-') ? "./" + name : name);
 }
 
+std::size_t find_whole_word(std::string_view text, std::string_view word, std::size_t from) {
+    const auto is_letter = [&](std::size_t at) {
+        return at < text.size() &&
+               (text[at] == '_' || std::isalnum(static_cast<unsigned char>(text[at])) != 0);
+    };
+    for (std::size_t at = from; (at = text.find(word, at)) != text.npos; ++at)
+        if (!(at > 0 && is_letter(at - 1)) && !is_letter(at + word.size())) return at;
+    return text.npos;
+}
+
 void replace_all(std::string& text, std::string_view what, std::string_view by) {
     for (std::size_t at = text.find(what); at != text.npos; at = text.find(what, at + by.size()))
         text.replace(at, what.size(), by);

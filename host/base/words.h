@@ -2,6 +2,7 @@
 // line, whatever the locale.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -37,6 +38,10 @@ std::string harmless(std::string_view text, char instead, std::string_view kept 
 
 // Without the white space at both ends.
 std::string_view trimmed(std::string_view text);
+
+// Where a word stands, from a byte on, that is no part of a longer one: letters, digits and '_';
+// npos for nowhere.
+std::size_t find_whole_word(std::string_view text, std::string_view word, std::size_t from = 0);
 
 // Each place of `what`, which is not empty, from left to right.
 void replace_all(std::string& text, std::string_view what, std::string_view by);

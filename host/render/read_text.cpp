@@ -19,7 +19,7 @@
 
 namespace glint {
 
-constexpr std::string_view kSyntaxError = "syntax error";
+constexpr std::string_view kSyntaxError = "syntax error", kUndefinedMacro = "undefined macro ";
 constexpr const char* kTextEnds = "syntax error, unexpected end of file";
 
 std::size_t at_line(const std::vector<std::size_t>& begins, int line) {
@@ -256,7 +256,11 @@ std::string ReadText::help_at(std::string_view words, const Spot& spot) const {
         std::string_view word = std::string_view(pass_.text).substr(spot.at);
         word.remove_prefix(std::min(word.find_first_not_of("# \t"), word.size()));
         word = word.substr(0, word.find_first_of(" \t\n\"(<"));
-        const std::string help = did_you_mean(word, directives());
+        if (word.size() == 9 && word.starts_with("iChannel"))
+            return "; there are four channels, iChannel0 to iChannel3";
+        std::vector<std::string> known = directives();
+        known.insert(known.end(), {"iUniform", "iKeyboard"});
+        const std::string help = did_you_mean(word, known);
         if (!help.empty()) return help;
         return word == "import" || word == "use" || word == "require"
                    ? "; a file is taken in by #include \"FILE\""
@@ -304,6 +308,15 @@ std::optional<Diagnostic> ReadText::mistyped_directive(const Spot& spot) const {
                       fmt::format("'#{}' is no directive; did you mean '#{}'?", word, meant)};
 }
 
+// Where on its line the macro stands that an #if asks for, of which Mesa names the line's end.
+std::size_t ReadText::named_on_line(std::size_t at, std::string_view words) const {
+    words.remove_prefix(kUndefinedMacro.size());
+    const std::string_view name = words.substr(0, words.find(' '));
+    const std::size_t begin = pass_.text.rfind('\n', at == 0 ? 0 : at - 1) + 1;  // of the first: 0
+    const std::size_t found = find_whole_word(pass_.text, name, begin);
+    return found < pass_.text.find('\n', at) ? found : at;
+}
+
 // A macro's operator behind one of its arguments, of which a driver names the first operand's
 // place.
 Spot ReadText::with_macro_of_operator(Spot spot) const {
@@ -326,6 +339,7 @@ Diagnostic ReadText::complaint(Said said) const {
             spot,
             std::string_view(said_words)
                 .substr(kParameter.size(), said_words.size() - kParameter.size() - kTwice.size()));
+    if (said_words.starts_with(kUndefinedMacro)) spot.at = named_on_line(spot.at, said_words);
     Place where = place(spot.at);
     if (spot.at >= pass_.user_end) {
         const auto user = pass_.text.begin() + static_cast<long>(pass_.user_begin);
@@ -399,7 +413,8 @@ bool ReadText::is_declared_below(std::string_view name) const {
 }
 
 bool may_be_type(const Token& token) {
-    return token.is_word() && !token.is("return") && !token.is("else") && !token.is("case");
+    static constexpr std::string_view kOthers[] = {"return", "else", "case", "struct"};
+    return token.is_word() && std::ranges::find(kOthers, token.text) == std::end(kOthers);
 }
 
 // Above: what is used as a value has no parentheses.

@@ -64,6 +64,7 @@ private:
     std::string help_with_size(const Spot& spot) const;
     std::optional<Diagnostic> mistyped_directive(const Spot& spot) const;
     Spot with_macro_of_operator(Spot spot) const;
+    std::size_t named_on_line(std::size_t at, std::string_view words) const;
     bool compares_twice(const Spot& spot) const;
     std::string no_variable(const Spot& spot) const;
     Spot second_parameter(const Spot& spot, std::string_view name) const;

@@ -186,6 +186,8 @@ std::optional<SyntaxError> unknown_type(const Complaint& complaint, const Around
             around.index(away + 1)};
     std::vector<std::string> known(kTypes.begin(), kTypes.end());
     known.insert(known.end(), {"return", "const", "uniform", "precision", "struct", "else"});
+    for (std::size_t i = 1; i < tokens.size(); ++i)
+        if (tokens[i - 1].is("struct")) known.emplace_back(tokens[i].text);
     std::string help = did_you_mean(name, known);
     if (name == "then" && around.is(away - 1, ")"))
         help = "; the statement follows right behind the ')'";

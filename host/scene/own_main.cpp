@@ -245,6 +245,14 @@ NoPicture why_no_picture(const Reading& reading) {
             return {at->begin, "this main is no function; write void main() { \u2026 }"};
         return {std::nullopt, "there is no main() here, which would draw the picture; write one"};
     }
+    for (const Comment& comment : reading.comments)
+        if (const std::string_view words =
+                reading.text.substr(comment.span.begin, comment.span.end - comment.span.begin);
+            comment.is_line && words.find('\n') != words.npos && words.find("main") != words.npos)
+            return {
+                comment.span.begin,
+                "there is no mainImage here: the '\\' at the end of this comment makes the next "
+                "line one, too; put something behind it"};
     return {std::nullopt,
             fmt::format("{}; write void mainImage(out vec4 fragColor, in vec2 fragCoord) {{ "
                         "fragColor = vec4(fragCoord / iResolution.xy, 0.0, 1.0); }}",

@@ -73,6 +73,7 @@ TEST_F(Complaints, StandAtTheUsersLineAndColumn) {
          "}\n",
          3, 24},
         {"before it", "float g = undeclared; " + body, 1, 11},
+        {"of a macro that is none", "#if 1 && TAU_ \n#endif\n" + body, 1, 10},
         {"in a syntax error", body + "\nfloat f() {\n    return 1.0 +;\n}\n", 4, 17},
         {"behind host uniforms of its own",
          "uniform float iTime;\nuniform vec3 iResolution;\nfloat f = undeclared;\n" + body, 3, 11},

@@ -77,5 +77,24 @@ TEST_F(UnknownNames, ThatAreMistypedAreNoneThatIsKnownElsewhereAlone) {
         "`shae' undeclared; did you mean 'shake'?");
 }
 
+TEST_F(UnknownNames, OfStructsAndDirectivesHaveTheNearest) {
+    const auto in_image = [](const std::string& statement) {
+        return "struct Light { vec3 col; };\nvoid mainImage(out vec4 c, in vec2 u) { Light "
+               "lights[2]; "
+               "lights[0].col = lights[1].col = vec3(u, 0); c = vec4(1); " +
+               statement + " }\n";
+    };
+    EXPECT_EQ(complaint(in_image("c = vec4(light[0].col, 1);")),
+              "`light' undeclared; did you mean 'lights'?");
+    EXPECT_EQ(complaint(in_image("Ligth l;")), "'Ligth' is no type; did you mean 'Light'?");
+    EXPECT_EQ(complaint(in_image("c.x = dist(u, u);")),
+              "no function with name 'dist'; GLSL's is distance");
+    const std::string illegal = "Illegal non-directive after #; ";
+    EXPECT_EQ(complaint("#iuniform float k = 1.0\n" + in_image("")),
+              illegal + "did you mean 'iUniform'?");
+    EXPECT_EQ(complaint("#iChannel5 \"self\"\n" + in_image("")),
+              illegal + "there are four channels, iChannel0 to iChannel3");
+}
+
 }  // namespace
 }  // namespace glint::unknown_names_test

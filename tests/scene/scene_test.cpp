@@ -364,6 +364,10 @@ TEST(Scene, AFileWithoutAShaderSaysWhatToWrite) {
         EXPECT_FALSE(result.scene);
         EXPECT_NE(all(result.diagnostics).find("write void mainImage("), std::string::npos) << text;
     }
+    EXPECT_NE(all(read("// C:\\dir\\\nvoid mainImage(out vec4 c, in vec2 p) { c = vec4(0); }")
+                      .diagnostics)
+                  .find(":1:1: error: there is no mainImage here: the '\\' at the end"),
+              std::string::npos);
     const ReadScene idle = read("void main() {}");
     EXPECT_FALSE(idle.scene);
     EXPECT_NE(all(idle.diagnostics).find(":1:6: error: this main() writes no colour"),

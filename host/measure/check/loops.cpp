@@ -1,4 +1,5 @@
 // Loops of one software renderer share 65,535 turns a pixel, then end without a word.
+#include "base/words.h"
 #include "measure/check/budget.h"
 #include "measure/check/case.h"
 #include "measure/check/situation.h"
@@ -8,11 +9,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <functional>
 #include <iterator>
-#include <string_view>
 #include <utility>
 
 namespace glint {
@@ -99,21 +98,12 @@ void run_loops(Check& check, CaseResult& result) {
                                   : "");
 }
 
-bool has_word(std::string_view text, std::string_view word) {
-    const auto is_letter = [&](std::size_t at) {
-        return at < text.size() &&
-               (std::isalnum(static_cast<unsigned char>(text[at])) != 0 || text[at] == '_');
-    };
-    for (std::size_t at = 0; (at = text.find(word, at)) != text.npos; ++at)
-        if (!(at > 0 && is_letter(at - 1)) && !is_letter(at + word.size())) return true;
-    return false;
-}
-
 }  // namespace
 
 void add_loop_case(std::vector<Case>& list, const CheckSubject& subject) {
     const std::string& text = subject.scene().text;
-    const bool has_loops = has_word(text, "for") || has_word(text, "while");
+    const bool has_loops =
+        find_whole_word(text, "for") != text.npos || find_whole_word(text, "while") != text.npos;
     // A long text takes too long to compile with all that its tweaks may ask for.
     const bool all_values = subject.is_short() && !subject.scene().tweaks.empty();
     if (has_loops && ends_loops(subject.context()))
