@@ -299,6 +299,9 @@ std::optional<std::string> known_mistake(const Complaint& complaint, const Aroun
     const std::string_view text = around.word(0);
     if (text == "=" && complaint.expects("';'"))
         return "what stands left of this '=' is no variable; == compares";
+    if (around.is(-1, "-") && text == ">")
+        return fmt::format("a member stands behind a '.': write {}.{}", around.word(-2),
+                           around.word(1));
     if (around.is(-1, "=") && (text == ">" || text == "<"))
         return fmt::format("'={0}' is no operator; did you mean '{0}='?", text);
     const bool is_keyword_as_name = around.is_known_type(-1) || complaint.expects("a name");

@@ -73,6 +73,11 @@ TEST_F(SyntaxErrors, TellOfCommasWhereArgumentsGoOnOnTheNextLine) {
               "2:23: ')' is missing here");
 }
 
+TEST_F(SyntaxErrors, OfAnArrowTellThePoint) {
+    EXPECT_EQ(first_complaint(in_image("c.x = p->x;")),
+              "2:9: a member stands behind a '.': write p.x");
+}
+
 TEST_F(SyntaxErrors, OfAMembersValueTellThatItHasNone) {
     EXPECT_EQ(first_complaint("struct P { float m = 1.0; };\n" + in_image("")),
               "1:20: no member has a value of its own here; give it where a variable is made");
