@@ -191,6 +191,67 @@ TEST_F(CheckEnds, WhatEachFrameAddsWhileAKeyIsHeld) {
     note_of(scene("6.0 * iTimeDelta"), "frame rates", 0);
 }
 
+// With what flashes up now and then, and with what the mouse has painted once it is let go.
+TEST_F(CheckEnds, WhatEachFrameFadesByAShare) {
+    const auto scene = [](const std::string& share, const std::string& hit) {
+        return "uniform sampler2D s; //@ pass mainS\n"
+               "void mainS(out vec4 c, in vec2 p) {\n"
+               "    float hit = " +
+               hit + ";\n    c = vec4(max(texelFetch(s, ivec2(p), 0).x * " + share +
+               ", hit));\n}\nvoid mainImage(out vec4 c, in vec2 p) {\n"
+               "    c = vec4(vec3(0.8 * texelFetch(s, ivec2(p), 0).x), 1);\n}\n";
+    };
+    const std::pair<const char*, const char*> cases[] = {
+        {"step(0.9, fract(iTime * 2.0))", "after 0.7 s"},
+        {"step(0.5, fract(iTime))", "after 1.2 s"},
+        {"iMouse.z > 0.0 ? smoothstep(9.0, 3.0, length(p - iMouse.xy)) : 0.0",
+         "let go at 0.2 s; at mouse"}};
+    for (const auto& [hit, words] : cases) {
+        const std::string found = note_of(scene("0.95", hit), "frame rates", 6);
+        EXPECT_NE(found.find("fades by a share in every frame"), std::string::npos) << found;
+        EXPECT_NE(found.find(words), std::string::npos) << found;
+        note_of(scene("exp(-3.0 * iTimeDelta)", hit), "frame rates", 0);
+    }
+}
+
+// A clock that each frame adds to reaches as far in thirty minutes as it is to.
+TEST_F(CheckEnds, WhatCountsSecondsIsNoExplosion) {
+    const auto scene = [](const std::string& next) {
+        return "uniform sampler2D s; //@ pass mainS size=4x4\n"
+               "void mainS(out vec4 c, in vec2 p) {\n"
+               "    float x = texelFetch(s, ivec2(p), 0).x;\n    c = vec4(" +
+               next +
+               ");\n}\nvoid mainImage(out vec4 c, in vec2 p) {\n"
+               "    c = vec4(vec3(texelFetch(s, ivec2(0), 0).x * 1e-7), 1);\n}\n";
+    };
+    note_of(scene("x + 100.0 * iTimeDelta"), "frames of 30 s", 0);
+    const std::string found = note_of(
+        scene("iFrame == 0 ? 1.0 : clamp(x * (1.0 + iTimeDelta), 0.0, 1e9)"), "frames of 30 s", 6);
+    EXPECT_NE(found.find("the state explodes"), std::string::npos) << found;
+}
+
+// What is told to draw it again does.
+TEST_F(CheckEnds, TheFrameThatFailedIsTheOneThatIsTold) {
+    const auto again = [&](const std::string& value, const std::string& name) {
+        write("s.frag", "void mainImage(out vec4 c, in vec2 p) { c = vec4(" + value + "); }\n");
+        return report_of(glint({"check", "s.frag", "--size", "16x9", "--json", "--case", name}),
+                         6)["cases"][0]["reproduce"]
+            .get<std::string>();
+    };
+    EXPECT_NE(again("sqrt(100.0 - iTime)", "age 1 hour").find("--time 3600 "), std::string::npos);
+    EXPECT_NE(again("log(iTime)", "worst").find("--time 0 "), std::string::npos);
+}
+
+TEST_F(CheckEnds, WhatAssertionsSayOfKeysWhereNoTweakIs) {
+    const std::string found = note_of(
+        "uniform sampler2D keys; //@ keyboard\n"
+        "void mainImage(out vec4 c, in vec2 p) {\n"
+        "    float t = 0.5 - texelFetch(keys, ivec2(65, 0), 0).x;\n"
+        "    //@ assert t >= 0.0\n    c = vec4(t);\n}\n",
+        "asserted at the ranges' ends", 6);
+    EXPECT_NE(found.find("key a"), std::string::npos) << found;
+}
+
 TEST_F(CheckEnds, WhatEachFrameMovesUntilItMeetsALimit) {
     const auto scene = [](const std::string& moved) {
         return "uniform sampler2D s; //@ pass mainS size=1\nuniform sampler2D keys; //@ keyboard\n"

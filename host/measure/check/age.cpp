@@ -71,6 +71,7 @@ public:
     }
 
     bool draw(double seconds_on, double delta) {
+        if (!subject_.observed().is_finite()) return false;
         const double time = age_ + seconds_on;
         const long index = subject_.stateful() ? kFirstSecond + drawn_ : std::lround(time * 60.0);
         ++drawn_;

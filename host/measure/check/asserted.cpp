@@ -1,7 +1,6 @@
 // What the scene's own text asserts: `//@ assert t >= 0.0 "behind the eye"`.
 #include "measure/check/case.h"
 #include "measure/check/situation.h"
-#include "measure/check/space.h"
 #include "measure/probe/assertions.h"
 
 #include <fmt/format.h>
@@ -52,7 +51,6 @@ void add_assertion_case(std::vector<Case>& list, const CheckSubject& subject) {
              check_assertions({{opened.values, opened.events, opened.time}}, check, result);
          }});
     const bool has_tweaks = !subject.scene().tweaks.empty();
-    if (!has_tweaks && Space(subject).inputs().empty()) return;
     list.push_back({.name = "asserted at the ranges' ends",
                     .run =
                         [](Check& check, CaseResult& result) {

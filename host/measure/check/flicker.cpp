@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 namespace glint {
 namespace {
@@ -43,6 +44,10 @@ std::vector<glm::dvec3> tile_colours(const std::vector<float>& picture, glm::ive
 // s, where the pictures of all rates are compared: later, and with the mouse or keys held before
 // what they move meets a limit.
 constexpr double kMet = 0.5, kMetHeld = 0.1;
+// s, where it is looked for what fades: what flashes up now and then has by one of them, and what
+// the mouse or keys left once they are let go.
+constexpr std::array kFading = {kMet, 0.7, 1.2};
+constexpr double kLetGo = 0.2, kFaded = 0.4;
 constexpr double kFastest = 240.0;  // Hz
 // A finer rate comes nearer to the truth: the last doubling changes at most this share of what the
 // one before did, or less than a clear mark on the picture, or little beside what a frame does.
@@ -97,10 +102,13 @@ struct Shown {
     std::vector<double> state{};
 };
 
-bool show_at_rate(CheckSubject& subject, double met, double fps, Shown& shown) {
+// At 60, 120 and 240 Hz.
+using Rates = std::array<Shown, 3>;
+
+// Plays on from the frame that is given.
+bool show_at_rate(CheckSubject& subject, int from, double met, double fps, Shown& shown) {
     const int frames = static_cast<int>(std::lround(met * fps));
-    subject.renderer().reset();
-    if (!subject.play_frames(0, frames, fps)) return false;
+    if (!subject.play_frames(from, frames, fps)) return false;
     shown.before = blurred(subject.picture(), subject.preset.size);
     if (!subject.play_frames(frames, frames + 1, fps)) return false;
     shown.last = blurred(subject.picture(), subject.preset.size);
@@ -109,10 +117,25 @@ bool show_at_rate(CheckSubject& subject, double met, double fps, Shown& shown) {
     return true;
 }
 
+// At each of these moments; nothing where a frame was not finite.
+std::vector<Rates> show_at_rates(CheckSubject& subject, std::span<const double> moments) {
+    std::vector<Rates> all(moments.size());
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double fps = kFastest / (4 >> i);
+        subject.renderer().reset();
+        int from = 0;
+        for (std::size_t k = 0; k < moments.size(); ++k) {
+            if (!show_at_rate(subject, from, moments[k], fps, all[k][i])) return {};
+            from = static_cast<int>(std::lround(moments[k] * fps)) + 1;
+        }
+    }
+    return all;
+}
+
 // What is added in every frame, however long it is, is twice as much at twice the rate, and shows:
 // half of a step that converges is left. Where frames are counted, what is added is divided by
 // that.
-bool is_added_by_frames(const std::array<Shown, 3>& shown, double met) {
+bool is_added_by_frames(const Rates& shown, double met) {
     constexpr double kLight = 0.01, kMoreThanHalf = 0.53, kDoubled = 1.6, kOfIt = 0.05;
     const auto is_seen = [&](std::size_t tile) {
         const double coarse = glm::length(shown[1].tiles[tile] - shown[0].tiles[tile]);
@@ -139,10 +162,34 @@ bool is_added_by_frames(const std::array<Shown, 3>& shown, double met) {
     return any(shown[0].tiles.size(), is_seen) && any(channels, doubles) && !any(channels, counts);
 }
 
-void compare_rates(CheckSubject& subject, double met, CaseResult& result) {
-    std::array<Shown, 3> shown;
-    for (std::size_t i = 0; i < 3; ++i)
-        if (!show_at_rate(subject, met, kFastest / (4 >> i), shown[i])) return;
+// What is multiplied by a share in every frame, however long it is, has the square of it at twice
+// the rate, of which again the square is left at twice that, and shows.
+bool fades_by_frames(const Rates& shown) {
+    constexpr double kLight = 0.01, kFadedTo = 0.85, kOfSquare = 0.25;
+    const auto is_seen = [&](std::size_t tile) {
+        return glm::length(shown[1].tiles[tile] - shown[0].tiles[tile]) > kLight;
+    };
+    bool any_seen = false, any_squared = false;
+    for (std::size_t i = 0; i < shown[0].tiles.size(); ++i) any_seen |= is_seen(i);
+    for (std::size_t i = 0; i < shown[0].state.size(); ++i) {
+        const double coarse = shown[1].state[i] / shown[0].state[i];
+        const double fine = shown[2].state[i] / shown[1].state[i];
+        any_squared |= coarse > 0.0 && coarse < kFadedTo && fine > 0.0 &&
+                       std::abs(std::log(fine) / std::log(coarse) - 2.0) < kOfSquare;
+    }
+    return any_seen && any_squared;
+}
+
+void find_fading(CheckSubject& subject, const Rates& shown, double met, CaseResult& result) {
+    if (!fades_by_frames(shown)) return;
+    subject.still = StillPlace{met, kFastest};
+    result.fail(fmt::format(
+        "something fades by a share in every frame, however long it is: after {} s twice the "
+        "rate leaves the square of it; mix by 1.0 - exp(-rate * iTimeDelta), or use step=",
+        met));
+}
+
+void compare_rates(const Rates& shown, double met, CaseResult& result) {
     const double coarse = largest_off(shown[0].last, shown[1].last);
     const double fine = largest_off(shown[1].last, shown[2].last);
     const double frame = std::max(largest_off(shown[2].last, shown[2].before),
@@ -162,6 +209,25 @@ void compare_rates(CheckSubject& subject, double met, CaseResult& result) {
                         met, fine, coarse, frame));
 }
 
+// Of what the mouse or keys that are held leave when they are let go.
+void find_left_fading(CheckSubject& subject, CaseResult& result) {
+    std::vector<Event>& events = subject.preset.events;
+    if (events.empty() || !subject.stateful() || !subject.observed().is_finite()) return;
+    const std::vector<Event> held = events;
+    for (Event let_go : held) {
+        let_go.time = kLetGo;
+        let_go.down = false;
+        events.push_back(let_go);
+    }
+    const std::array moments = {kFaded};
+    for (const Rates& shown : show_at_rates(subject, moments))
+        find_fading(subject, shown, kFaded, result);
+    if (result.verdict == CaseVerdict::fail)
+        result.note += fmt::format("; let go at {} s", kLetGo);
+    else
+        events = held;
+}
+
 // With the preset's values, where all tweaks are at an end of their ranges, and with the mouse or
 // keys held.
 void run_frame_rates(Check& check, CaseResult& result) {
@@ -170,13 +236,19 @@ void run_frame_rates(Check& check, CaseResult& result) {
     std::string first;
     for (const Situation& one : situations(subject, kSetsOfEnds, 0)) {
         one.bring(subject);
-        for (const double met : {kMet, kMetHeld}) {
-            if (met == kMetHeld && one.events.empty()) continue;
-            compare_rates(subject, met, result);
-            if (result.verdict == CaseVerdict::fail) result.note += where_words(one, subject);
-            if (!subject.observed().is_finite() || result.verdict == CaseVerdict::fail) return;
+        std::vector<double> moments = {kMet};
+        if (!one.events.empty()) moments = {kMetHeld, kMet};
+        if (first.empty() && subject.stateful() && check.pace == 1.0)
+            moments.assign(kFading.begin(), kFading.end());
+        const std::vector<Rates> shown = show_at_rates(subject, moments);
+        for (std::size_t i = 0; i < shown.size() && result.verdict != CaseVerdict::fail; ++i) {
+            if (moments[i] <= kMet) compare_rates(shown[i], moments[i], result);
             if (first.empty()) first = result.note;
+            find_fading(subject, shown[i], moments[i], result);
         }
+        if (result.verdict != CaseVerdict::fail) find_left_fading(subject, result);
+        if (result.verdict == CaseVerdict::fail) result.note += where_words(one, subject);
+        if (!subject.observed().is_finite() || result.verdict == CaseVerdict::fail) return;
         if (clock.is_over(0.03)) break;
     }
     result.note = first;

@@ -178,7 +178,10 @@ void play_on(Hunter& hunter, Check& check, CaseResult& result) {
             points.push_back(point);
     for (const Point& point : points) {
         const auto fault = hunter.later_fault(point, clock);
-        if (!check.subject.observed().is_finite()) return;
+        if (!check.subject.observed().is_finite()) {
+            result.note = "at " + hunter.space().words(point, check.subject);
+            return;
+        }
         if (!fault) continue;
         result.where = place_of(*fault);
         return result.fail(fmt::format("{}; after {:.1f} s, at {}", words_of(*fault),

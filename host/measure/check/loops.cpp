@@ -90,7 +90,12 @@ void run_loops(Check& check, CaseResult& result) {
     for (const Situation& one : all) {
         if (runs_out(one))
             return fail(subject, runs_out, clock, *turns, with_neighbours, one, result);
-        if (!is_finite || clock.is_over(kLoopShare)) break;
+        if (!is_finite) {
+            const std::string where = where_words(one, subject);
+            result.note = where.empty() ? "" : where.substr(2);
+            return;
+        }
+        if (clock.is_over(kLoopShare)) break;
     }
     result.note = fmt::format("at most {} turns in a pixel{}", most,
                               subject.specialised() && !subject.preset.values.empty()

@@ -145,10 +145,13 @@ void compare_states(const State& now, const State& at_60_hz, double time, glm::i
     }
 }
 
-// Beyond what halves hold, and beyond a thousand times what it is at 60 Hz, a state has exploded.
-void judge_growth(const CheckSubject& subject, const State& at_60_hz, CaseResult& result) {
+// Beyond what halves hold, and beyond a thousand times what it is at 60 Hz after a second, a state
+// has exploded; one that counts goes on by as much in each.
+void judge_growth(const CheckSubject& subject, const State& at_60_hz, double seconds,
+                  CaseResult& result) {
     const float largest = subject.largest_state();
-    if (largest > std::max(kLargestHalf, 1000.0f * at_60_hz.largest)) {
+    const float most = std::max(1000.0f, 4.0f * static_cast<float>(seconds / kLater));
+    if (largest > std::max(kLargestHalf, most * at_60_hz.largest)) {
         result.fail(
             fmt::format("the state explodes: {:.3g}, at 60 Hz {:.3g}", largest, at_60_hz.largest));
     }
@@ -178,7 +181,7 @@ void run_steps(const FrameTime& step, Check& check, CaseResult& result) {
                        subject.preset.size, result);
         if (result.verdict == CaseVerdict::fail) return;
     }
-    judge_growth(subject, *check.later, result);
+    judge_growth(subject, *check.later, kSteppedFrames / step.fps, result);
 }
 
 // Frames of any length, one after the other.
@@ -207,7 +210,7 @@ void run_mixed_steps(Check& check, CaseResult& result) {
         frame.longest_catch_up = kLidCatchUp;
         if (!subject.draw(frame)) return;
     }
-    judge_growth(subject, *check.later, result);
+    judge_growth(subject, *check.later, time, result);
 }
 
 // A simulation frame by frame; of another scene, moments spread over ten minutes.

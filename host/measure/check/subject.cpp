@@ -125,6 +125,7 @@ Frame CheckSubject::frame_at(double time, double delta, long index) const {
 bool CheckSubject::play_frames(int first, int end, double fps) {
     const Playback endless{.end = 1e6, .fps = fps};
     for (int k = first; k < end; ++k) {
+        if (!observed_.is_finite()) return false;  // of what failed `still` tells
         still = StillPlace{k / fps, fps};
         if (!draw(endless.frame(preset, k))) return false;
     }
@@ -143,6 +144,7 @@ bool CheckSubject::show(double time, double played, const std::function<bool()>&
     const Playback playback{.end = shown_time(time, played)};
     const int last = playback.last_frame();
     for (int k = stateful() ? 0 : last; k <= last; ++k) {
+        if (!observed_.is_finite()) return false;
         const Frame frame = playback.frame(preset, k);
         still = StillPlace{frame.time, playback.fps};
         if (!draw(frame)) return false;

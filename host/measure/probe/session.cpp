@@ -29,6 +29,7 @@ ProbeSession::ProbeSession(const ProbeOptions& options)
 
 ProbeSession::ProbeSession(Preset preset, const ProbeOptions& options)
     : preset_(std::move(preset)),
+      output_(options.pass),
       pass_(find_pass(preset_.scene, options.pass)),
       specialised_(options.view.specialise),
       context_(make_egl_context(options.view.device)) {
@@ -111,7 +112,7 @@ void ProbeSession::at_frame(const ProbeOptions& options, const Ask& ask) {
 Probing ProbeSession::probing(const ProbePlace& place) const {
     return {.scene = preset_.scene.files.front().string(),
             .renderer = context_->renderer(),
-            .pass = pass_name(preset_.scene, pass_),
+            .pass = output_,
             .size = shape().size,
             .pixel = place.pixel,
             .frame = frame_.frame,

@@ -55,6 +55,7 @@ private:
     double step() const;  // s; 0 of a pass that is drawn in every frame
 
     Preset preset_;
+    std::string output_;  // of the pass, as it was asked for
     std::size_t pass_;
     bool specialised_;
     std::unique_ptr<Context> context_;
