@@ -73,7 +73,7 @@ void write_pictures(const Check& check, const std::string& name, const ComparedP
                fmt::format("{}-{}.png", case_stem(check.subject.opened(), name), kind);
     };
     make_folder(check.folder);
-    write_shown(file("expected"), expected.rgba, expected.size);
+    write_shown(file("expected"), for_display(expected.rgba, values_of(expected)), expected.size);
     write_rgb(file("difference"), difference_heat(actual, expected.rgba, values_of(expected)),
               expected.size);
     write_rgb(file("flip"), heat(found.seen), expected.size);

@@ -180,13 +180,12 @@ bool fades_by_frames(const Rates& shown) {
     return any_seen && any_squared;
 }
 
-void find_fading(CheckSubject& subject, const Rates& shown, double met, CaseResult& result) {
-    if (!fades_by_frames(shown)) return;
-    subject.still = StillPlace{met, kFastest};
-    result.fail(fmt::format(
-        "something fades by a share in every frame, however long it is: after {} s twice the "
-        "rate leaves the square of it; mix by 1.0 - exp(-rate * iTimeDelta), or use step=",
-        met));
+void find_fading(const Rates& shown, double met, CaseResult& result) {
+    if (fades_by_frames(shown))
+        result.fail(fmt::format(
+            "something fades by a share in every frame, however long it is: after {} s twice the "
+            "rate leaves the square of it; mix by 1.0 - exp(-rate * iTimeDelta), or use step=",
+            met));
 }
 
 void compare_rates(const Rates& shown, double met, CaseResult& result) {
@@ -209,6 +208,12 @@ void compare_rates(const Rates& shown, double met, CaseResult& result) {
                         met, fine, coarse, frame));
 }
 
+// Leaves the subject where a still of what was found has it.
+void show_again(CheckSubject& subject, double met) {
+    subject.renderer().reset();
+    subject.play_frames(0, static_cast<int>(std::lround(met * kFastest)) + 1, kFastest);
+}
+
 // Of what the mouse or keys that are held leave when they are let go.
 void find_left_fading(CheckSubject& subject, CaseResult& result) {
     std::vector<Event>& events = subject.preset.events;
@@ -220,8 +225,7 @@ void find_left_fading(CheckSubject& subject, CaseResult& result) {
         events.push_back(let_go);
     }
     const std::array moments = {kFaded};
-    for (const Rates& shown : show_at_rates(subject, moments))
-        find_fading(subject, shown, kFaded, result);
+    for (const Rates& shown : show_at_rates(subject, moments)) find_fading(shown, kFaded, result);
     if (result.verdict == CaseVerdict::fail)
         result.note += fmt::format("; let go at {} s", kLetGo);
     else
@@ -244,7 +248,8 @@ void run_frame_rates(Check& check, CaseResult& result) {
         for (std::size_t i = 0; i < shown.size() && result.verdict != CaseVerdict::fail; ++i) {
             if (moments[i] <= kMet) compare_rates(shown[i], moments[i], result);
             if (first.empty()) first = result.note;
-            find_fading(subject, shown[i], moments[i], result);
+            find_fading(shown[i], moments[i], result);
+            if (result.verdict == CaseVerdict::fail) show_again(subject, moments[i]);
         }
         if (result.verdict != CaseVerdict::fail) find_left_fading(subject, result);
         if (result.verdict == CaseVerdict::fail) result.note += where_words(one, subject);

@@ -31,6 +31,16 @@ void decode_display(std::span<float> picture) {
         if (i % 4 != 3) picture[i] = static_cast<float>(decode_srgb(picture[i]));
 }
 
+std::vector<float> for_display(std::vector<float> picture, Values values) {
+    if (values != Values::light) return picture;
+    for (std::size_t i = 0; i < picture.size(); ++i)
+        if (i % 4 != 3 && picture[i] > 0.0f)
+            picture[i] = picture[i] <= 0.0031308f
+                             ? picture[i] * 12.92f
+                             : 1.055f * std::pow(picture[i], 1.0f / 2.4f) - 0.055f;
+    return picture;
+}
+
 std::size_t channels_of(Values values) {
     return values == Values::data ? 4 : 3;
 }

@@ -52,6 +52,9 @@ double in_light(double value, Values values);
 // A picture for a display, made linear light; its alpha stays.
 void decode_display(std::span<float> picture);
 
+// The picture as a display is sent it: light is encoded, data shown as it is.
+std::vector<float> for_display(std::vector<float> picture, Values values);
+
 // The light that an sRGB value stands for; odd about 0, and without an upper end.
 double decode_srgb(double value);
 

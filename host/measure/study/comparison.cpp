@@ -153,8 +153,8 @@ void write_comparison(const std::filesystem::path& folder, const Comparison& c) 
     make_folder(folder);
     write_text(folder / "looks.json",
                json_text(to_json(c)) + "\n");  // by which the others are known
-    write_shown(folder / "a.png", c.pictures[0], c.size);
-    write_shown(folder / "b.png", c.pictures[1], c.size);
+    write_shown(folder / "a.png", for_display(c.pictures[0], c.values), c.size);
+    write_shown(folder / "b.png", for_display(c.pictures[1], c.values), c.size);
     write_rgb(folder / "difference.png", difference_heat(c.pictures[0], c.pictures[1], c.values),
               c.size);
     write_rgb(folder / "flip.png", heat(c.seen), c.size);
