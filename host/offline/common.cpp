@@ -149,6 +149,13 @@ Preset open_preset(const ViewOptions& options) {
     return std::move(*read.preset);
 }
 
+Preset open_preset_again(const ViewOptions& options) {
+    ReadPreset read = read_preset(options.file);
+    if (!read.preset) throw Stop(ExitCode::failure);
+    lay_over(*read.preset, options);
+    return std::move(*read.preset);
+}
+
 std::size_t find_pass(const Scene& scene, const std::string& name) {
     if (name == "image") return kImagePass;
     std::vector<std::string> names = {"image"};

@@ -92,6 +92,8 @@ glm::ivec2 size_of(const ViewOptions& options, glm::ivec2 otherwise);
 // Reads the preset or scene, prints what is wrong with it, and lays the options' size and tweaks
 // over it. Throws Stop or UsageError.
 Preset open_preset(const ViewOptions& options);
+// The same of one of which all has been said.
+Preset open_preset_again(const ViewOptions& options);
 
 // The pass of this name, or kImagePass for "image". Throws UsageError that lists the names.
 std::size_t find_pass(const Scene& scene, const std::string& name);

@@ -130,6 +130,17 @@ TEST_F(CheckExpect, ALookIsHeldToTheTimeOfAnother) {
 }
 
 // Python's own parser takes it, and finds each case as it was.
+// However many processes share its cases.
+TEST_F(CheckExpect, WhatAPresetWarnsOfIsToldOnce) {
+    write("s.frag", kGradient);
+    write("s.toml",
+          "scene = \"s.frag\"\nfoo = 1\n[expect]\nms_ratio = { of = \"s.frag\", most = 9 }\n");
+    const Outcome outcome = glint({"check", "s.toml", "--size", "16x9"});
+    const std::size_t first = outcome.err.find("unknown key 'foo'");
+    EXPECT_NE(first, std::string::npos) << outcome.err;
+    EXPECT_EQ(outcome.err.find("unknown key 'foo'", first + 1), std::string::npos) << outcome.err;
+}
+
 TEST_F(CheckExpect, JUnitIsReadByOthers) {
     write("<a & 'b'>.frag", "void mainImage(out vec4 c, in vec2 p) { c = vec4(0.0 / 0.0); }\n");
     write("wrong.frag", "void mainImage(out vec4 c, in vec2 p) { c = wrong; }\n");

@@ -103,7 +103,8 @@ public:
     Subjects(const FileCheck& wanted, int socket)
         : wanted_(wanted),
           socket_(socket),
-          preset_(open_preset(small(wanted.view))),
+          preset_(wanted.is_told ? open_preset_again(small(wanted.view))
+                                 : open_preset(small(wanted.view))),
           context_(make_egl_context(wanted.view.device)) {
         make(special_, special_check_, {});
         special_check_->pace = pace_of(*special_, wanted_.effort);

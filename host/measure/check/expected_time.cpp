@@ -16,10 +16,10 @@ constexpr glm::ivec2 kSize{640, 360};  // unless --size says otherwise, as in a 
 
 // Throws Stop for a look that cannot be read, with the reason on stderr, as everywhere.
 Preset opened_for_timing(const ViewOptions& view, const std::filesystem::path& file) {
-    ViewOptions own = view;
-    own.file = file;
-    if (own.size.empty()) own.size = fmt::format("{}x{}", kSize.x, kSize.y);
-    return open_preset(own);
+    ViewOptions timed = view;
+    timed.file = file;
+    if (timed.size.empty()) timed.size = fmt::format("{}x{}", kSize.x, kSize.y);
+    return file == view.file ? open_preset_again(timed) : open_preset(timed);
 }
 
 std::unique_ptr<MeasuredScene> drawn_once(const Preset& preset, Context& context, bool specialise) {

@@ -229,6 +229,7 @@ private:
     void start_one() {
         FileCheck rest = wanted_;
         rest.effort.seconds = left_.left();
+        rest.is_told = std::exchange(is_told_, true);
         children_.push_back(std::make_unique<CaseProcess>(rest));
         children_.back()->wait_at_most(frame_limit());
     }
@@ -356,7 +357,7 @@ private:
     std::size_t next_ = 0;
     std::vector<std::size_t> numbers_;  // of file_.cases, which stand as they ended
     Children children_;
-    bool are_called_ = false;
+    bool are_called_ = false, is_told_ = false;
     int restarts_ = 0;
 };
 
