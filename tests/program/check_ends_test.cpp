@@ -242,6 +242,15 @@ TEST_F(CheckEnds, TheFrameThatFailedIsTheOneThatIsTold) {
     EXPECT_NE(again("log(iTime)", "worst").find("--time 0 "), std::string::npos);
 }
 
+TEST_F(CheckEnds, ADivisionByZeroThatBecomesNanLaterIsNamedItself) {
+    const std::string found = note_of(
+        "uniform float b; //@ 0.5 [0, 1]\n"
+        "void mainImage(out vec4 c, in vec2 p) {\n"
+        "    float x = p.x / b;\n    c = vec4(fract(x));\n}\n",
+        "search", 6);
+    EXPECT_NE(found.find("s.frag:3: p.x / b: division by zero"), std::string::npos) << found;
+}
+
 TEST_F(CheckEnds, WhatAssertionsSayOfKeysWhereNoTweakIs) {
     const std::string found = note_of(
         "uniform sampler2D keys; //@ keyboard\n"

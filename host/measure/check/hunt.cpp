@@ -161,9 +161,9 @@ void report(Hunter& hunter, Check& check, const Point& found, CaseResult& result
     const Point point = smallest(found, usual, fails, kSmallest);
     fails(point);
     const std::string where = hunter.space().words(point, check.subject);
-    // NaN is not born of what has some number for a result; of what it is, is asked later.
-    const bool is_told = hunter.fault() && (check.subject.observed().is_finite() ||
-                                            !hunter.fault()->has_result || check.birthplaces <= 0);
+    // Of what NaN or Inf in a picture are born is asked later, as in all other cases.
+    const bool is_told =
+        hunter.fault() && (check.subject.observed().is_finite() || check.birthplaces <= 0);
     if (is_told) result.where = place_of(*hunter.fault());
     result.fail(is_told ? fmt::format("{}; at {}", words_of(*hunter.fault()), where)
                         : fmt::format("at {}", where));
