@@ -251,6 +251,21 @@ TEST_F(CheckEnds, ADivisionByZeroThatBecomesNanLaterIsNamedItself) {
     EXPECT_NE(found.find("s.frag:3: p.x / b: division by zero"), std::string::npos) << found;
 }
 
+// Shift does nothing alone.
+TEST_F(CheckEnds, KeysThatAreHeldTogether) {
+    const auto scene = [](const std::string& value) {
+        return "uniform sampler2D keys; //@ keyboard\n"
+               "float down(int k) { return texelFetch(keys, ivec2(k, 0), 0).x; }\n"
+               "void mainImage(out vec4 c, in vec2 p) {\n"
+               "    float z = 0.6 * (down(87) - down(83)) * (1.0 + down(16));\n    c = vec4(" +
+               value + ");\n}\n";
+    };
+    const std::string found = note_of(scene("acos(z)"), "search", 6);
+    EXPECT_NE(found.find(", key shift; born at s.frag:5: acos(z)"), std::string::npos)
+        << found;
+    note_of(scene("acos(clamp(z, -1.0, 1.0))"), "search", 0);
+}
+
 TEST_F(CheckEnds, WhatAssertionsSayOfKeysWhereNoTweakIs) {
     const std::string found = note_of(
         "uniform sampler2D keys; //@ keyboard\n"

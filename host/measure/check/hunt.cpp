@@ -211,8 +211,8 @@ void endure_worst(const Hunter& hunter, Check& check, CaseResult& result) {
     }
 }
 
-// Keys that change the picture or what is kept, each alone and with the preset's values; where
-// none does, those that the text names, which may do so together.
+// Keys that change the picture or what is kept, each alone and with the preset's values; and those
+// that the text names, which may do so together.
 std::vector<int> keys_that_matter(Check& check) {
     std::vector<int> keys;
     CheckSubject& subject = check.subject;
@@ -235,7 +235,11 @@ std::vector<int> keys_that_matter(Check& check) {
         if (clock.is_over(0.03)) break;
         if (seen(key) != usual) keys.push_back(key);
     }
-    if (keys.empty()) keys = keys_named(subject.scene().text);
+    const bool is_any = keys.empty();
+    // A modifier does nothing alone.
+    for (const int key : keys_named(subject.scene().text))
+        if (std::ranges::find(keys, key) == keys.end() && (is_any || is_usual_key(key)))
+            keys.push_back(key);
     keys.resize(std::min(keys.size(), kMostKeys));
     return keys;
 }

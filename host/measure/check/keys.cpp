@@ -13,12 +13,22 @@ bool is_in_a_word(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.';
 }
 
-}  // namespace
-
-std::vector<int> keys_in_order() {
+std::vector<int> usual_keys() {
     std::vector<int> keys = {37, 38, 39, 40, 32, 13, 27, 16, 17};
     for (int key = 'A'; key <= 'Z'; ++key) keys.push_back(key);
     for (int key = '0'; key <= '9'; ++key) keys.push_back(key);
+    return keys;
+}
+
+}  // namespace
+
+bool is_usual_key(int key) {
+    static const std::vector<int> usual = usual_keys();
+    return std::ranges::find(usual, key) != usual.end();
+}
+
+std::vector<int> keys_in_order() {
+    std::vector<int> keys = usual_keys();
     for (int key = 0; key < kKeyCount; ++key)
         if (std::ranges::find(keys, key) == keys.end()) keys.push_back(key);
     return keys;
