@@ -14,11 +14,6 @@ namespace {
 constexpr double kBudget = 65535.0;
 constexpr int kDeepestCall = 500;  // functions that call each other; deeper ones count as nothing
 
-bool is_loop(StatementKind kind) {
-    return kind == StatementKind::for_ || kind == StatementKind::while_ ||
-           kind == StatementKind::do_;
-}
-
 class LongLoopFinder {
 public:
     LongLoopFinder(const Reading& reading,

@@ -27,11 +27,6 @@ bool leaves(const Reading& reading, std::uint32_t index) {
     return false;
 }
 
-bool is_loop(StatementKind kind) {
-    return kind == StatementKind::for_ || kind == StatementKind::while_ ||
-           kind == StatementKind::do_;
-}
-
 // Of one that the line holds as a whole, whether its end is the place.
 bool is_behind_whole(const Reading& reading, std::uint32_t index, bool is_note) {
     const StatementKind kind = reading.statements[index].kind;

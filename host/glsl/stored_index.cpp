@@ -103,9 +103,7 @@ private:
 void mend_stored_indices(const Reading& reading, Edits& edits) {
     Mender mender(reading, edits);
     for (const Statement& one : reading.statements)
-        if (one.kind == StatementKind::for_ || one.kind == StatementKind::while_ ||
-            one.kind == StatementKind::do_)
-            mender.mend(one);
+        if (is_loop(one.kind)) mender.mend(one);
 }
 
 }  // namespace glint

@@ -67,6 +67,10 @@ enum class StatementKind : std::uint8_t {
     empty,
     unknown
 };
+constexpr bool is_loop(StatementKind kind) {
+    return kind == StatementKind::for_ || kind == StatementKind::while_ ||
+           kind == StatementKind::do_;
+}
 
 // In the order of the text: what a statement holds follows it, up to `next`.
 struct Statement {

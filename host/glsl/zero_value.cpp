@@ -131,7 +131,11 @@ std::uint32_t ZeroValues::find_struct(std::string_view name, std::uint32_t from)
 std::uint32_t ZeroValues::struct_of(const SpelledType& type) const {
     if (type.structure != kNone) return type.structure;
     const std::uint32_t structure = find_struct(reading_.word(type.type), type.type);
-    // One that holds itself is none.
+    // One that holds itself is none; of two of which a branch decides nobody knows which is meant.
+    if (structure != kNone && struct_names_.at(reading_.word(type.type)) > 1 &&
+        reading_.live_at(reading_.place(reading_.structs[structure].tokens.begin).begin) !=
+            Live::yes)
+        return kNone;
     const bool is_whole = structure != kNone && reading_.structs[structure].tokens.end <= type.type;
     return is_whole ? structure : kNone;
 }
@@ -231,8 +235,10 @@ bool ZeroValues::set_parts(std::string& words, const std::string& what, const Sp
 
 std::optional<std::string> ZeroValues::statements(const std::string& what, const SpelledType& type,
                                                   FirstValue first) const {
-    for (const char* used : {"int", "length", "glint_part0"})
-        if (reading_.defines_macro(used)) return {};
+    const std::array<std::string_view, 4> used = {"int", "length", "glint_part0", what};
+    for (const std::string_view name : used)
+        if (reading_.defines_macro(name)) return {};
+    if (taken_.contains("glint_part0")) return {};
     std::string words;
     if (!set_parts(words, what, type, first, 0)) return {};
     return words;

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <optional>
 #include <utility>
 
 namespace glint {
@@ -22,6 +24,8 @@ struct Site {
     std::uint32_t token = kNone;  // behind which, or before which for a result
     // Behind which a local or a global may be given its value by statements; kNone: nowhere.
     std::uint32_t statements = kNone;
+    // How often that is done in a pixel, as far as calls tell; infinite within a loop.
+    double times = 1.0;
 };
 
 class ZeroFinder {
@@ -31,6 +35,7 @@ public:
 
     // In the order of the text.
     std::vector<Site> find() {
+        times_.assign(reading_.functions.size(), std::nullopt);
         for (const Declaration& declaration : reading_.declarations)
             if (declaration.scope == Scope::local || declaration.scope == Scope::global)
                 find_in(declaration);
@@ -41,6 +46,44 @@ public:
     }
 
 private:
+    bool is_in_loop(std::uint32_t function, std::uint32_t token) const {
+        const std::uint32_t first = reading_.functions[function].first_statement;
+        for (std::uint32_t at = first; at < reading_.statements[first].next; ++at) {
+            const Statement& one = reading_.statements[at];
+            if (is_loop(one.kind) && one.tokens.begin <= token && token < one.tokens.end)
+                return true;
+        }
+        return false;
+    }
+
+    // How often a place in a function is come to.
+    double times_at(std::uint32_t function, std::uint32_t token) {
+        if (reading_.functions[function].first_statement == kNone) return 1.0;
+        return is_in_loop(function, token) ? HUGE_VAL : times_of(function);
+    }
+
+    // Once of what nobody calls, and for each call of that name.
+    double times_of(std::uint32_t function) {
+        std::optional<double>& times = times_[function];
+        if (times) return *times;
+        times = HUGE_VAL;  // one that calls itself is no GLSL
+        double sum = 0.0;
+        const std::string_view name = reading_.word(reading_.functions[function].name);
+        for (const Call& call : reading_.calls)
+            if (reading_.word(call.name) == name)
+                sum += call.function == kNone ? 1.0 : times_at(call.function, call.name);
+        return *(times_[function] = std::max(sum, 1.0));
+    }
+
+    // The function in whose body a token stands; kNone: in none.
+    std::uint32_t function_of(std::uint32_t token) const {
+        for (std::uint32_t i = 0; i < reading_.functions.size(); ++i)
+            if (const TokenRange body = reading_.functions[i].body;
+                body.begin <= token && token < body.end)
+                return i;
+        return kNone;
+    }
+
     // Whatever else qualifies it, such as `const` or `in`, has a value or is an error.
     bool is_plain(const Declaration& declaration) const {
         constexpr std::array<std::string_view, 4> kPrecisions = {"highp", "mediump", "lowp",
@@ -77,6 +120,8 @@ private:
                 sites_.back().unset.why_not = "a switch may jump over its declaration";
             else
                 sites_.back().statements = place_of_statements(declaration, one);
+            if (const std::uint32_t function = function_of(one.name); function != kNone)
+                sites_.back().times = times_at(function, one.name);
         }
     }
 
@@ -84,11 +129,10 @@ private:
     // for a global.
     std::uint32_t place_of_statements(const Declaration& declaration, const Declarator& one) const {
         if (declaration.scope == Scope::global) {
-            for (const std::uint32_t index : reading_.functions_named(entry_)) {
-                const Function& function = reading_.functions[index];
-                if (function.is_defined() && function.body.begin > one.name)
+            for (const std::uint32_t index : reading_.functions_named(entry_))
+                if (const Function& function = reading_.functions[index];
+                    may_begin_with(function, one))
                     return function.body.begin;
-            }
             return kNone;
         }
         if (declaration.statement == kNone) return kNone;
@@ -100,6 +144,23 @@ private:
         for (const Declarator& other : declaration.names)
             if (other.name > one.name && !other.initial.empty()) return kNone;
         return declaration.tokens.end - 1;
+    }
+
+    // Whether an entry begins the drawing, knows the global, and both are compiled.
+    bool may_begin_with(const Function& function, const Declarator& global) const {
+        const auto is_certain = [&](std::uint32_t token) {
+            return reading_.live_at(reading_.place(token).begin) == Live::yes;
+        };
+        const auto hides_it = [&](std::uint32_t parameter) {
+            return std::ranges::any_of(
+                reading_.declarations[parameter].names, [&](const Declarator& name) {
+                    return reading_.word(name.name) == reading_.word(global.name);
+                });
+        };
+        return function.is_defined() && function.body.begin > global.name &&
+               reading_.is_for_the_host(function, entry_) && is_certain(global.name) &&
+               is_certain(function.body.begin) &&
+               std::ranges::none_of(function.parameters, hides_it);
     }
 
     // Right in a switch's block.
@@ -125,15 +186,18 @@ private:
                  .array = one.array,
                  .type_array = declaration.type_array});
             sites_.back().unset.is_output = is_entry;
+            sites_.back().times = times_of(index);
         }
         if (reading_.word(function.type) == "void" || !uses_.lacks_return(function)) return;
         add(Site::Kind::result, function.name, function.body.end - 1,
             {.type = function.type, .array = {}, .type_array = function.type_array});
+        sites_.back().times = times_of(index);
     }
 
     const Reading& reading_;
     FirstUses uses_;
     std::string_view entry_;
+    std::vector<std::optional<double>> times_;  // by function
     std::vector<Site> sites_;
 };
 
@@ -145,9 +209,12 @@ public:
     // False where it cannot be done.
     bool write(const Site& site, FirstValue first) {
         if (site.kind == Site::Kind::entry && first == FirstValue::zero) return true;
-        if (values_.is_long(site.type) && write_statements(site, first)) return true;
+        // Turns of loops are few on one driver: 65,535 of all loops of a pixel.
+        constexpr double kSeldom = 4.0;
+        const bool is_seldom = site.times <= kSeldom;
+        if (is_seldom && values_.is_long(site.type) && write_statements(site, first)) return true;
         const auto value = values_.value(site.type, first);
-        if (!value) return false;
+        if (!value) return write_statements(site, first);
         if (!name_struct(site.type)) return false;
         switch (site.kind) {
             case Site::Kind::initial:

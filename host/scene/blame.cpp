@@ -33,11 +33,6 @@ double suspicion(const Reading& reading, const Statement& loop) {
     return leaves ? 1e20 : 1e30;
 }
 
-bool is_loop(StatementKind kind) {
-    return kind == StatementKind::for_ || kind == StatementKind::while_ ||
-           kind == StatementKind::do_;
-}
-
 struct PassReading {
     std::string entry;  // the function that draws it
     Reading reading;    // the text as that pass has it

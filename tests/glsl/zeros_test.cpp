@@ -214,6 +214,54 @@ TEST(Zeros, OfLongArraysAreListedWhereNoStatementCanStand) {
               "float a[32] = float[32](" + list.substr(3) + "); g(a);");
 }
 
+// One driver ends all loops of a pixel after 65,535 turns, and the text's own are to have these.
+TEST(Zeros, OfLongArraysThatAreMadeOftenAreListed) {
+    const auto has_loop = [](const std::string& text) {
+        const Reading reading = read_glsl(text, known_of_driver());
+        Edits edits(reading);
+        write_zeros(reading, edits, "main");
+        return edits.apply().text.find("glint_part0") != std::string::npos;
+    };
+    const std::string array = "float a[64]; g(a); ",
+                      call = "void f() { " + array + "} void main() ";
+    EXPECT_TRUE(has_loop("void main() { " + array + "}"));
+    EXPECT_TRUE(has_loop(call + "{ f(); f(); }"));
+    EXPECT_FALSE(has_loop(call + "{ f(); f(); f(); f(); f(); }"));
+    EXPECT_FALSE(has_loop(call + "{ for (int i = 0; i < 9; ++i) f(); }"));
+    EXPECT_FALSE(has_loop(call + "{ while (x) if (y) f(); }"));
+    EXPECT_FALSE(has_loop("void main() { do { " + array + "} while (x); }"));
+    EXPECT_FALSE(
+        has_loop("void f() { " + array + "} void h() { f(); } void main() { for (;;) h(); }"));
+    EXPECT_FALSE(has_loop("void f(out float a[64]) { g(a); } void main() { for (;;) f(b); }"));
+}
+
+TEST(Zeros, OfLongGlobalsAreListedWhereTheEntryMayNotKnowThem) {
+    for (const char* text :
+         {"vec2 u[64]; void f() { g(u); } void mainImage(out vec4 o, vec2 u) { f(); }",
+          "float q[64]; void f() { g(q); }\n#define q 3.0\nvoid mainImage(out vec4 o, vec2 u) { "
+          "f(); }",
+          "float d[64]; float mainImage(vec2 p, float k) { g(d); } void mainImage(out vec4 o, vec2 "
+          "u) { mainImage(u, 1.); }",
+          "#ifdef GL_EXT_x\nfloat w[64]; void f() { g(w); }\n#endif\nvoid mainImage(out vec4 o, "
+          "vec2 u) { o = vec4(1); }",
+          "float w[64];\n#ifdef GL_EXT_x\nvoid mainImage(out vec4 o, vec2 u) { g(w); "
+          "}\n#else\nvoid mainImage(out vec4 o, vec2 u) { g(w); }\n#endif\n"}) {
+        const Reading reading = read_glsl(text, known_of_driver());
+        Edits edits(reading);
+        write_zeros(reading, edits, "mainImage");
+        const std::string result = edits.apply().text;
+        EXPECT_NE(result.find("[64] = "), std::string::npos) << result;
+        EXPECT_EQ(result.find("glint_part0"), std::string::npos) << result;
+    }
+}
+
+TEST(Zeros, OfAStructThatABranchDefinesOtherwiseAreLeftAlone) {
+    const std::string text =
+        "#ifndef GL_EXT_x\nstruct S { float a; };\n#else\nstruct S { vec2 b; };\n#endif\n"
+        "void f() { S s; g(s); }";
+    EXPECT_EQ(zeroed(text), text);
+}
+
 TEST(Zeros, OfAGlobalWhoseLengthIsTheCompilersToKnowAreWrittenInTheEntry) {
     const std::string text = "float a[int(2.)]; void late(); void main() { g(a); }";
     const Reading reading = read_glsl(text, known_of_driver());
