@@ -261,8 +261,7 @@ TEST_F(CheckEnds, KeysThatAreHeldTogether) {
                value + ");\n}\n";
     };
     const std::string found = note_of(scene("acos(z)"), "search", 6);
-    EXPECT_NE(found.find(", key shift; born at s.frag:5: acos(z)"), std::string::npos)
-        << found;
+    EXPECT_NE(found.find(", key shift; born at s.frag:5: acos(z)"), std::string::npos) << found;
     note_of(scene("acos(clamp(z, -1.0, 1.0))"), "search", 0);
 }
 
