@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <array>
+#include <initializer_list>
 #include <memory>
 #include <string_view>
 #include <unordered_set>
@@ -239,12 +240,17 @@ std::string buffer_main(const Pass& pass, const char* out, const ProgramOptions&
 
 // The site's older form of mainSound takes the time alone.
 std::string sound_main(const Reading& reading) {
-    bool old = false;
-    for (const std::uint32_t function : reading.functions_named("mainSound")) {
-        const auto& parameters = reading.functions[function].parameters;
-        old |= !parameters.empty() &&
-               reading.word(reading.declarations[parameters.front()].type) == "float";
-    }
+    const auto has = [&](std::initializer_list<std::string_view> types) {
+        return std::ranges::any_of(
+            reading.functions_named("mainSound"), [&](std::uint32_t function) {
+                return std::ranges::equal(
+                    reading.functions[function].parameters, types, {},
+                    [&](std::uint32_t parameter) {
+                        return reading.word(reading.declarations[parameter].type);
+                    });
+            });
+    };
+    const bool old = has({"float"}) && !has({"int", "float"});
     return fmt::format(
         "vec2 mainSound({});\n{}layout(location = 0) out vec4 glint_out0;\nvoid main() {{\n"
         "    int samp = (iFrame * {} + int(gl_FragCoord.y)) * {} + int(gl_FragCoord.x);\n"
@@ -529,7 +535,7 @@ PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions&
     rename_overloads(reading, edits);
     const bool needs_gap = mend_macros(reading, edits);
     if (!plain_main) hide_extensions(reading, edits);
-    mend_parameters(reading, entry, edits);
+    mend_parameters(reading, entry_of(scene, pass), edits);
     const std::vector<Remainder> remainders = find_remainders(reading, edits);
     if (!probe) mend_remainders(remainders, edits);
     mend_divisions(preset, options, probe, reading, edits);

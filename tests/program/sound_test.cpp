@@ -101,6 +101,22 @@ TEST_F(Sound, TheSitesOlderFormAndItsFreeNamesWork) {
     EXPECT_EQ(sample(wav, 44000, 1), 8192);
 }
 
+// The older form is for texts that have no other; one of other parameters is a function of theirs.
+TEST_F(Sound, OfSeveralFunctionsOfItsNameTheSitesIsPlayed) {
+    const std::string image = "void mainImage(out vec4 c, in vec2 p) { c = vec4(1); }\n";
+    const std::pair<const char*, const char*> texts[] = {
+        {"vec2 mainSound(float t) { return vec2(0.25); }\n",
+         "vec2 mainSound(int samp, float t) { return 2.0 * mainSound(t); }\n"},
+        {"vec2 mainSound(float t, float pan) { return vec2(pan); }\n",
+         "vec2 mainSound(const in int samp, const in float t) { return mainSound(t, 0.5); }\n"}};
+    for (const auto& [other, own] : texts) {
+        write("two.frag", std::string(other) + own + image);
+        const Outcome made = glint({"sound", "two.frag", "-o", "a.wav", "--seconds", "0.01"});
+        ASSERT_EQ(made.code, 0) << made.err;
+        EXPECT_EQ(sample(bytes("a.wav"), 100, 0), 16384) << own;
+    }
+}
+
 TEST_F(Sound, WhatIsNoNumberIsSilentAndWhatIsTooLoudIsClipped) {
     write(
         "bad.frag",
