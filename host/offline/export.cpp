@@ -4,6 +4,7 @@
 #include "base/say.h"
 #include "base/temporary_file.h"
 #include "gl/context.h"
+#include "glsl/edits.h"
 #include "glsl/raw_text.h"
 #include "offline/common.h"
 #include "offline/named_files.h"
@@ -14,6 +15,7 @@
 #include "scene/shadertoy.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -53,8 +55,10 @@ private:
     void warn_of_others(const fs::path& folder);
     void require_unedited(const std::vector<NamedFile>& outputs) const;
     void find_tabs();
+    void warn_of_order();
     const PassProgram& program_of(const Tab& tab) const;
     std::array<std::optional<std::size_t>, 4> channels_of(const Tab& tab) const;
+    std::optional<std::size_t> filled_channel(const std::string& name) const;
     std::string tab_text(const Tab& tab);
     std::string unread_defines(const Reading& body,
                                const std::array<std::optional<std::size_t>, 4>& channels) const;
@@ -88,6 +92,7 @@ void Exporter::find_tabs() {
             tabs_.push_back({(pass.cube ? "cube" : "buffer") + letter, graph.pass, i});
         }
     }
+    warn_of_order();
     if (buffers > 4 || cubes > 1) {
         throw UsageError(
             fmt::format("The scene fills {} buffers and {} cubemaps; the site has four and one. "
@@ -97,6 +102,30 @@ void Exporter::find_tabs() {
     }
     tabs_.push_back({"image", kImagePass, 0});
     if (sound_) tabs_.push_back({"sound", kSoundPass, 0});
+}
+
+// The site draws outputs one after the other, buffers before cubes.
+void Exporter::warn_of_order() {
+    std::set<std::size_t> cubes;
+    for (const GraphPass& graph : compiled_.graph.passes) {
+        if (!fills_a_buffer(graph.pass)) continue;
+        const Pass& pass = scene_.passes[graph.pass];
+        const auto reads = [&](std::size_t other) {
+            return std::ranges::find(graph.reads, other) != graph.reads.end();
+        };
+        if (pass.outputs.size() > 1 && reads(graph.pass))
+            warn(
+                fmt::format("{}: of several outputs that read each other the site draws the later "
+                            "ones from the new values of the earlier, which may change them; write "
+                            "one pass for each",
+                            fmt::join(pass.outputs, ", ")));
+        if (pass.cube) cubes.insert(graph.pass);
+        if (!pass.cube && std::ranges::any_of(cubes, reads))
+            warn(fmt::format(
+                "{}: the site draws its cube behind the buffers, so that this one reads "
+                "that of the frame before",
+                pass.outputs.front()));
+    }
 }
 
 const PassProgram& Exporter::program_of(const Tab& tab) const {
@@ -110,7 +139,33 @@ const Tab& Exporter::tab_of(const Sampler& sampler) const {
     });
 }
 
-// By sampler (as in sampler_at). One that is called iChannel2 keeps its number.
+// Which channels a pass's text asks for, be it for their size or time alone.
+std::array<bool, 4> channels_named(const Reading& reading) {
+    std::array<bool, 4> named{};
+    for (std::size_t i = 0; i < named.size(); ++i)
+        named[i] = reading.mentions(fmt::format("iChannel{}", i));
+    for (std::size_t at = 0; at + 2 < reading.tokens.size(); ++at) {
+        if (!reading.tokens[at].is("iChannelResolution") && !reading.tokens[at].is("iChannelTime"))
+            continue;
+        for (std::size_t i = 0; i < named.size(); ++i)
+            named[i] = named[i] || !reading.tokens[at + 1].is("[") ||
+                       reading.tokens[at + 2].kind != TokenKind::number ||
+                       reading.tokens[at + 2].is(fmt::format("{}", i));
+    }
+    return named;
+}
+
+// What fills the channel of this name, if anything does.
+std::optional<std::size_t> Exporter::filled_channel(const std::string& name) const {
+    for (std::size_t i = 0; i < scene_.samplers.size() + preset_.channels.size(); ++i)
+        if (const Sampler& sampler = sampler_at(preset_, i);
+            sampler.name == name && sampler.source != Source::none)
+            return i;
+    return std::nullopt;
+}
+
+// By sampler (as in sampler_at). One that is called iChannel2 keeps its number, and no other takes
+// that of one that the text asks for.
 std::array<std::optional<std::size_t>, 4> Exporter::channels_of(const Tab& tab) const {
     std::array<std::optional<std::size_t>, 4> channels;
     std::vector<std::size_t> others;
@@ -121,9 +176,16 @@ std::array<std::optional<std::size_t>, 4> Exporter::channels_of(const Tab& tab) 
         else
             others.push_back(uniform.sampler);
     }
+    const std::string body = site_text(preset_, tab.pass).text;
+    const std::array<bool, 4> named =
+        channels_named(read_glsl(body, known_of_pass(output_names(scene_, tab.pass))));
+    for (std::size_t i = 0; i < channels.size(); ++i)
+        if (named[i] && !channels[i]) channels[i] = filled_channel(fmt::format("iChannel{}", i));
     std::ranges::sort(others);
     for (const std::size_t sampler : others) {
-        const auto free = std::ranges::find(channels, std::optional<std::size_t>());
+        const auto free = std::ranges::find_if(channels, [&](const auto& channel) {
+            return !channel && !named[static_cast<std::size_t>(&channel - channels.data())];
+        });
         if (free == channels.end()) {
             throw UsageError(fmt::format(
                 "Pass {} reads {} samplers; the site has four channels. Switch off what needs them "
@@ -268,8 +330,24 @@ std::string Exporter::unfilled_defines(const Tab& tab,
     return defines;
 }
 
+// `b` of `c.b`, which a macro of a sampler's name would change.
+bool is_component(std::string_view name) {
+    return name.size() <= 4 && name.find_first_not_of("xyzwrgbastpq") == name.npos;
+}
+
+std::string with_sampler_named(const std::string& text, const Known& known, std::string_view from,
+                               const std::string& to) {
+    const Reading reading = read_glsl(text, known);
+    Edits edits(reading);
+    for (std::size_t i = 0; i < reading.written.size(); ++i)
+        if (reading.written[i].is(from) && (i == 0 || !reading.written[i - 1].is(".")))
+            edits.replace_bytes(reading.written[i].span(), to);
+    return edits.apply().text;
+}
+
 std::string Exporter::tab_text(const Tab& tab) {
-    std::string head, defines;
+    const Known known = known_of_pass(output_names(scene_, tab.pass));
+    std::string head, defines, body = site_text(preset_, tab.pass).text;
     const auto channels = channels_of(tab);
     for (std::size_t i = 0; i < channels.size(); ++i) {
         if (!channels[i]) continue;
@@ -277,11 +355,12 @@ std::string Exporter::tab_text(const Tab& tab) {
         head += fmt::format("// iChannel{}: {}, {}, {}\n", i, source_words(tab, sampler),
                             kFilterNames.of(sampler.filter),
                             sampler.wrap == Wrap::clamp ? "clamp" : "repeat");
-        if (!sampler.name.starts_with("iChannel"))
+        if (is_component(sampler.name))
+            body = with_sampler_named(body, known, sampler.name, fmt::format("iChannel{}", i));
+        else if (!sampler.name.starts_with("iChannel"))
             defines += fmt::format("#define {} iChannel{}\n", sampler.name, i);
     }
-    const std::string body = site_text(preset_, tab.pass).text;
-    const Reading reading = read_glsl(body, known_of_pass(output_names(scene_, tab.pass)));
+    const Reading reading = read_glsl(body, known);
     defines += unread_defines(reading, channels);
     defines += unfilled_defines(tab, channels);
     if (speaks_of(reading, "iTick") && !means_its_own(reading, "iTick")) {

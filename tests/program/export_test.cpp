@@ -50,6 +50,47 @@ TEST_F(Export, WhatComesBackDrawsTheSameBytes) {
     EXPECT_EQ(draw("a.frag").pixels, draw("back.frag").pixels);
 }
 
+// Also where a text asks for a channel that nothing fills, or for a size or a time alone, and where
+// a sampler has the name of a component.
+TEST_F(Export, ChannelsAreThoseThatTheTextMeans) {
+    const std::string image = "void mainImage(out vec4 c, in vec2 p) { c = ";
+    const std::string texts[] = {
+        "uniform sampler2D A; //@ pass mainA\n"
+        "void mainA(out vec4 c, in vec2 p) { c = vec4(0, 1, 0, 1); }\n" +
+            image +
+            "texelFetch(A, ivec2(p), 0) * 0.25 + texelFetch(iChannel0, ivec2(p), 0) + "
+            "iChannelTime[1]; }\n",
+        "uniform sampler2D iChannel0; //@ noise rgba 256\n" + image +
+            "vec4(iChannelResolution[0].x / 512.0, 0, 0, 1); }\n",
+        "uniform sampler2D b; //@ pass mainB\n"
+        "void mainB(out vec4 c, in vec2 p) { c = vec4(1); }\n" +
+            image + "texelFetch(b, ivec2(p), 0); c.b = 0.5; }\n"};
+    for (const std::string& text : texts) {
+        write("a.frag", text);
+        ASSERT_EQ(glint({"export", "a.frag", "-o", "out"}).code, 0);
+        ASSERT_EQ(glint({"import", "out/shadertoy.json", "-o", "back.frag"}).code, 0);
+        EXPECT_EQ(draw("a.frag").pixels, draw("back.frag").pixels) << text;
+        fs::remove_all(folder() / "out");
+        fs::remove(folder() / "back.frag");
+    }
+}
+
+TEST_F(Export, WhatTheSiteDrawsInAnotherOrderIsTold) {
+    write("a.frag",
+          "uniform samplerCube sky; //@ pass mainSky\nuniform sampler2D pos; //@ pass mainStep\n"
+          "uniform sampler2D vel; //@ pass mainStep\n"
+          "void mainSky(out vec4 c, in vec2 p, in vec3 o, in vec3 d) { c = vec4(iTime); }\n"
+          "void mainStep(out vec4 p, out vec4 v, in vec2 c) {\n"
+          "    p = texelFetch(vel, ivec2(c), 0) + texture(sky, vec3(1, 0, 0));\n"
+          "    v = texelFetch(pos, ivec2(c), 0);\n}\n"
+          "void mainImage(out vec4 c, in vec2 p) { c = texelFetch(pos, ivec2(p), 0) + "
+          "texelFetch(vel, ivec2(p), 0); }\n");
+    const Outcome made = glint({"export", "a.frag", "-o", "out"});
+    ASSERT_EQ(made.code, 0) << made.err;
+    EXPECT_NE(made.err.find("pos, vel: of several outputs"), std::string::npos) << made.err;
+    EXPECT_NE(made.err.find("draws its cube behind the buffers"), std::string::npos) << made.err;
+}
+
 // What nothing fills is 0 there, too, and the site's names stand for those of other programs.
 TEST_F(Export, UniformsWithoutAnAnnotationComeBack) {
     write("a.frag",
