@@ -95,6 +95,8 @@ private:
     }
 
     LoopBound of_part(TokenRange range, bool ends) const {
+        if (range.size() > 1 && word(range.begin) == "!")
+            return of_condition({range.begin + 1, range.end}, ends ? "&&" : "||", !ends);
         if (range.size() == 1 && (word(range.begin) == "false" || word(range.begin) == "0"))
             return ends ? LoopBound() : LoopBound{LoopBound::Kind::number, 1.0};
         constexpr std::array<std::string_view, 9> kSplitting = {

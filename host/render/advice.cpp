@@ -129,10 +129,13 @@ std::string said_better(std::string complaint) {
             "give back";
     if (complaint.starts_with("redeclaration of `") && complaint.ends_with("' has incorrect type"))
         complaint += "; it is declared here already: give this one another name";
-    if (complaint.ends_with("' of non-structure / non-vector"))
+    if (complaint.starts_with("cannot access field `length'"))
+        complaint += "; an array tells its own by .length()";
+    else if (complaint.ends_with("' of non-structure / non-vector"))
         complaint += "; an array's elements have members, a[0].x, and a number has none";
     if (complaint.starts_with("operands of `") && complaint.ends_with("must have the same type"))
-        complaint += "; beside an int write 0, beside a float 0.0, or float(i)";
+        complaint +=
+            "; beside an int write 0, beside a float 0.0 or float(i), and vectors have one size";
     if (complaint.starts_with("A shader cannot redefine or overload built-in function `"))
         complaint += "; give yours another name";
     if (complaint.starts_with("GL_OES_shader_io_blocks"))

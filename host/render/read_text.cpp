@@ -538,6 +538,10 @@ std::string ReadText::meant_by(std::string_view mistyped, std::size_t at, bool i
         if (macro.definition.end > 0 && pass_.origin(macro.definition.begin) &&
             macro.takes_arguments == is_called)
             add(macro.name);
+    const bool is_statement = at > 0 && at + 1 < read_.tokens.size() &&
+                              read_.tokens[at + 1].is(";") &&
+                              may_declare_behind(read_.tokens[at - 1].text);
+    if (is_statement) names.insert({"break", "continue", "discard", "return"});
     if (is_called)
         std::ranges::for_each(built_in_functions(), add);
     else

@@ -186,8 +186,17 @@ std::optional<SyntaxError> unknown_type(const Complaint& complaint, const Around
             around.index(away + 1)};
     std::vector<std::string> known(kTypes.begin(), kTypes.end());
     known.insert(known.end(), {"return", "const", "uniform", "precision", "struct", "else"});
-    for (std::size_t i = 1; i < tokens.size(); ++i)
-        if (tokens[i - 1].is("struct")) known.emplace_back(tokens[i].text);
+    for (std::size_t i = 1; i < tokens.size(); ++i) {
+        if (!tokens[i - 1].is("struct")) continue;
+        if (tokens[i].is(name))
+            return SyntaxError{
+                fmt::format("{} is no type yet: {}", in_quotes(name),
+                            i < around.index(away)
+                                ? "a struct cannot hold itself"
+                                : "it stands below, and GLSL reads in order: move it up"),
+                around.index(away)};
+        known.emplace_back(tokens[i].text);
+    }
     std::string help = did_you_mean(name, known);
     if (name == "then" && around.is(away - 1, ")"))
         help = "; the statement follows right behind the ')'";
@@ -224,6 +233,8 @@ std::optional<SyntaxError> mistyped_keyword(const Complaint& complaint, const Ar
                                                  in_quotes(tokens[at].text), did_you_mean(meant)),
                                      at});
     };
+    if (around.is_name(-1) && around.is_known_type(0))
+        if (auto error = said(around.index(-1), {"return", "const"})) return error;
     if (around.is_known_type(-1) && around.is(-2, "("))
         if (auto error = said(around.index(-3), statements)) return error;
     if (const auto open = around.opened_before())

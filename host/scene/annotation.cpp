@@ -126,6 +126,10 @@ void TweakParser::parse_word(std::size_t at) {
         return;
     }
     words = after;
+    constexpr std::array<std::string_view, 6> kWithValue = {"unit",      "step",   "group",
+                                                            "reference", "second", "safe"};
+    if (is_one_of(word, kWithValue))
+        return words.complain(at, fmt::format("{0} has no value; write {0}= and what it is", word));
     words.warn(
         at, fmt::format("unknown word {}; known are log, quality, norandom, unit=, step=, group=, "
                         "reference=, second=, safe=, [min, max], {{names}} and a \"description\"{}",

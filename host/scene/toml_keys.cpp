@@ -59,6 +59,8 @@ std::string better_said(std::string_view complaint) {
          "this text is not closed on its line, or holds a control character; end it with a second "
          "\""},
         {"string: encountered end-of-file", "this text is never closed; end it with a second \""},
+        {"saw 'f'", "a number of TOML ends without an f; write 0.5"},
+        {"saw ';'", "a line of TOML ends without a ';'; take it out"},
         {"expected decimal digit",
          "a number has digits on both sides of its point; write 0.5, 1.0"},
         {"whitespace, saw ','",

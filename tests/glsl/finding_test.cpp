@@ -190,7 +190,9 @@ TEST(LongLoops, AreThoseWhoseTurnsTogetherPassTheBudget) {
               List{"loop-without-bound 2"});
     for (const char* ends : {"for (int i = 0; i < 10; i++) { if (i == 3) i = 8; }",
                              "for (int i = 0; i < 10; i++) { if (h < 0.1) { i = 100; continue; } }",
-                             "for (vec2 v = vec2(0); v.x < 4.0; v += 1.0) h += v.x;"})
+                             "for (vec2 v = vec2(0); v.x < 4.0; v += 1.0) h += v.x;",
+                             "int i = 0; while (!(i > 4)) i++;",
+                             "int i = 0; do { i++; } while (!(i == 4 || h > 1.0));"})
         EXPECT_EQ(found("float h;\nvoid f() {\n" + std::string(ends) + "\n}\n"), List{}) << ends;
     EXPECT_EQ(found("void f() { f(); for (int i = 0; i < 3; ++i) f(); }\n"), List{});
 }

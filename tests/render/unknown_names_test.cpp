@@ -89,6 +89,12 @@ TEST_F(UnknownNames, OfStructsAndDirectivesHaveTheNearest) {
     EXPECT_EQ(complaint(in_image("Ligth l;")), "'Ligth' is no type; did you mean 'Light'?");
     EXPECT_EQ(complaint(in_image("c.x = dist(u, u);")),
               "no function with name 'dist'; GLSL's is distance");
+    EXPECT_EQ(complaint(in_image("for (;;) { if (c.x > 0.0) brek; }")),
+              "`brek' undeclared; did you mean 'break'?");
+    EXPECT_EQ(complaint("struct S { float x; S next; };\n" + in_image("")),
+              "'S' is no type yet: a struct cannot hold itself");
+    EXPECT_EQ(complaint("vec3 f(vec2 p) { retrun vec3(p, 1); }\n" + in_image("")),
+              "'retrun' is no word of GLSL; did you mean 'return'?");
     const std::string illegal = "Illegal non-directive after #; ";
     EXPECT_EQ(complaint("#iuniform float k = 1.0\n" + in_image("")),
               illegal + "did you mean 'iUniform'?");

@@ -179,7 +179,7 @@ TEST(TweakAnnotation, SaysWhatIsWrongAndWhere) {
         {TweakType::float1, "1 \"a\" \"b\"", 6, "second description"},
         {TweakType::float1, "1 ] x", 2, "']'"},
         {TweakType::float1, "1 unit=a unit=b", 9, "second unit="},
-        {TweakType::float1, "1 group Water", 2, "unknown word 'group'"},
+        {TweakType::float1, "1 group Water", 2, "group has no value"},
     };
     for (const auto& c : cases) {
         const std::vector<Complaint> complaints = tweak(c.type, c.annotation).complaints;
