@@ -75,6 +75,15 @@ private:
         return *(times_[function] = std::max(sum, 1.0));
     }
 
+    // Of what may be long alone: the calls of a text are many.
+    template <class Times>
+    void note_times(const Times& times) {
+        const SpelledType& type = sites_.back().type;
+        const bool is_basic = type.array.empty() && type.type_array.empty() &&
+                              !basic_value(reading_.word(type.type), FirstValue::zero).empty();
+        if (!is_basic) sites_.back().times = times();
+    }
+
     // The function in whose body a token stands; kNone: in none.
     std::uint32_t function_of(std::uint32_t token) const {
         for (std::uint32_t i = 0; i < reading_.functions.size(); ++i)
@@ -121,7 +130,7 @@ private:
             else
                 sites_.back().statements = place_of_statements(declaration, one);
             if (const std::uint32_t function = function_of(one.name); function != kNone)
-                sites_.back().times = times_at(function, one.name);
+                note_times([&] { return times_at(function, one.name); });
         }
     }
 
@@ -186,12 +195,12 @@ private:
                  .array = one.array,
                  .type_array = declaration.type_array});
             sites_.back().unset.is_output = is_entry;
-            sites_.back().times = times_of(index);
+            note_times([&] { return times_of(index); });
         }
         if (reading_.word(function.type) == "void" || !uses_.lacks_return(function)) return;
         add(Site::Kind::result, function.name, function.body.end - 1,
             {.type = function.type, .array = {}, .type_array = function.type_array});
-        sites_.back().times = times_of(index);
+        note_times([&] { return times_of(index); });
     }
 
     const Reading& reading_;

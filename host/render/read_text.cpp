@@ -467,7 +467,8 @@ std::size_t ReadText::token_of(const Said& said) const {
 
 // Of a variable that is gone with its block by then, the last one.
 std::string ReadText::ended_before(std::string_view name, std::size_t at) const {
-    for (std::size_t i = std::min(at, read_.tokens.size()); i-- > 1;) {
+    if (read_.tokens.empty()) return {};
+    for (std::size_t i = std::min(at, read_.tokens.size() - 1); i-- > 1;) {
         const Token& before = read_.tokens[i - 1];
         const bool is_first = may_be_type(before) && !read_.tokens[i + 1].is("(");
         const bool is_next = before.is(",") && read_.tokens[i + 1].is("=");

@@ -31,7 +31,11 @@ Words Words::ahead() const {
 
 void Words::add(Complaint complaint) {
     constexpr std::size_t kMost = 20;  // of one annotation; nobody reads on
-    if (complaints_ && complaints_->size() < kMost) complaints_->push_back(std::move(complaint));
+    if (!complaints_) return;
+    if (complaints_->size() < kMost)
+        complaints_->push_back(std::move(complaint));
+    else if (complaint.severity == Severity::error)  // without which the line would count
+        complaints_->back() = std::move(complaint);
 }
 
 void Words::skip_space() {

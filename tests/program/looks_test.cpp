@@ -142,6 +142,9 @@ TEST_F(Looks, ThePageWipesBetweenThemWithoutANetwork) {
     for (const char* tag : {"src=\"http", "href=\"http", "url(http", "<script", "@import"})
         EXPECT_EQ(page.find(tag), std::string::npos) << tag;
     EXPECT_EQ(Json::parse(bytes("looks/looks.json"))["b"]["file"], "b.toml");
+    write("looks/looks.json", "cut");
+    EXPECT_EQ(glint({"study", "a.frag", "b.toml", "--size", "64x36", "-o", "looks"}).code, 0)
+        << "its page tells whose it is";
 }
 
 TEST_F(Looks, WhatCannotBeComparedIsSaid) {

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <string>
@@ -192,6 +193,15 @@ TEST(TweakAnnotation, SaysWhatIsWrongAndWhere) {
 
 TEST(TweakAnnotation, ReportsEveryMistakeOfALine) {
     EXPECT_EQ(tweak(TweakType::float1, "x [1, 0] log step=0 whatever").complaints.size(), 5u);
+}
+
+TEST(TweakAnnotation, AMistakeBehindManyUnknownWordsIsOne) {
+    std::string words = "1";
+    for (int i = 0; i < 40; ++i) words += " what";
+    const auto is_error = [](const Complaint& one) { return one.severity == Severity::error; };
+    EXPECT_TRUE(std::ranges::none_of(tweak(TweakType::float1, words).complaints, is_error));
+    EXPECT_TRUE(
+        std::ranges::any_of(tweak(TweakType::float1, words + " step=0").complaints, is_error));
 }
 
 TEST(TweakAnnotation, OfOneMistakeIsToldOnce) {

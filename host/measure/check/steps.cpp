@@ -170,7 +170,8 @@ void run_steps(const FrameTime& step, Check& check, CaseResult& result) {
     const double met = step.fps > 500.0 ? kEarly : kLater;
     const int last = lid ? 1 : static_cast<int>(std::lround(met * step.fps));
     const Playback endless{.end = 1e6, .fps = step.fps};
-    for (int k = 0; k <= std::max(last, check.paced(kSteppedFrames, kLeastStepped)); ++k) {
+    const int frames = std::max(last, check.paced(kSteppedFrames, kLeastStepped));
+    for (int k = 0; k <= frames; ++k) {
         Frame frame = endless.frame(subject.preset, k);
         if (lid) frame.longest_catch_up = kLidCatchUp;
         subject.still.reset();
@@ -181,7 +182,7 @@ void run_steps(const FrameTime& step, Check& check, CaseResult& result) {
                        subject.preset.size, result);
         if (result.verdict == CaseVerdict::fail) return;
     }
-    judge_growth(subject, *check.later, kSteppedFrames / step.fps, result);
+    judge_growth(subject, *check.later, frames / step.fps, result);
 }
 
 // Frames of any length, one after the other.
