@@ -28,8 +28,6 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-const std::string kShadertoyFile = "shadertoy.json";  // what the site takes; of all tabs
-
 // One output of one pass.
 struct Tab {
     std::string name;  // "bufferA", "cubeA", "image", "sound"
@@ -368,6 +366,8 @@ std::string Exporter::tab_text(const Tab& tab) {
         defines += "#define iTick uint(iTime * 65536.0)\n";
         warn(tab.name + ": iTick becomes uint(iTime * 65536.0), exact for the first 256 s");
     }
+    if (speaks_of(reading, "iGlobalTime") && !means_its_own(reading, "iGlobalTime"))
+        defines += "#define iGlobalTime iTime\n";
     if (std::ranges::any_of(reading.written,
                             [](const Token& token) { return token.text.starts_with(kPassPrefix); }))
         defines += fmt::format("#define {}{} 1\n", kPassPrefix, pass_name(scene_, tab.pass));

@@ -80,12 +80,14 @@ std::vector<fs::path> import_shadertoys(const ImportOptions& options, Diagnostic
                                      fs::path(options.output).replace_extension(".frag").string()));
     }
     const std::vector<Shadertoy> shaders = read(options, diagnostics);
+    const fs::path from =
+        is_folder(options.input) ? options.input / kShadertoyFile : options.input;
     std::vector<fs::path> names;
     std::vector<std::string> texts;
     for (std::size_t i = 0; i < shaders.size(); ++i) {
         names.push_back(numbered(options.output, i));
-        texts.push_back(scene_text(shaders[i], options.input, options.output.parent_path(),
-                                   diagnostics, options.anywhere));
+        texts.push_back(scene_text(shaders[i], from, options.output.parent_path(), diagnostics,
+                                   options.anywhere));
     }
     if (has_errors(diagnostics)) return {};
     for (const fs::path& name : names) {

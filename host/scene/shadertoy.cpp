@@ -10,6 +10,7 @@
 #include <array>
 #include <map>
 #include <set>
+#include <span>
 #include <system_error>
 
 namespace glint {
@@ -147,6 +148,11 @@ bool is_beyond_channels(const ShadertoyInput& input) {
     return input.channel < 0 || input.channel > 3;
 }
 
+// The site's own dialect wraps it once more.
+const Json& shader_of(const Json& outer) {
+    return outer.is_object() && outer.contains("Shader") ? outer["Shader"] : outer;
+}
+
 class JsonReader {
 public:
     JsonReader(const fs::path& file, Diagnostics& diagnostics)
@@ -236,7 +242,7 @@ void JsonReader::warn_of(const ShadertoyInput& input, const std::string& tab) {
 }
 
 std::optional<Shadertoy> JsonReader::shader(const Json& outer) {
-    const Json& json = outer.is_object() && outer.contains("Shader") ? outer["Shader"] : outer;
+    const Json& json = shader_of(outer);
     const Json& passes = member(json, "renderpass");
     if (!passes.is_array() || passes.empty()) {
         error("there is no shader in it: \"renderpass\" is missing; export the shader again");
@@ -273,6 +279,15 @@ void sort_tabs(Shadertoy& shader) {
     };
     std::ranges::stable_sort(shader.tabs,
                              [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+}
+
+// Which of several it is that something is told of.
+void name_shader(std::size_t number, const Json& outer, std::span<Diagnostic> diagnostics) {
+    const std::string title = word(member(shader_of(outer), "info"), "name");
+    for (Diagnostic& diagnostic : diagnostics)
+        diagnostic.text =
+            fmt::format("shader {}{}: {}", number, title.empty() ? "" : ", " + in_quotes(title),
+                        diagnostic.text);
 }
 
 std::string read_text(const fs::path& file, Diagnostics& diagnostics) {
@@ -338,10 +353,11 @@ std::vector<Shadertoy> read_shadertoys(const fs::path& file, Diagnostics& diagno
     JsonReader reader(file, diagnostics);
     const Json& list = json.is_object() && json.contains("shaders") ? json["shaders"] : json;
     const Json one = list.is_array() ? list : Json::array({list});
-    for (const Json& outer : one) {
-        auto shader = reader.shader(outer);
-        if (!shader) return {};
-        shaders.push_back(std::move(*shader));
+    for (std::size_t i = 0; i < one.size(); ++i) {
+        const std::size_t told = diagnostics.size();
+        auto shader = reader.shader(one[i]);
+        if (one.size() > 1) name_shader(i + 1, one[i], std::span(diagnostics).subspan(told));
+        if (shader) shaders.push_back(std::move(*shader));
     }
     if (one.empty())
         diagnostics.push_back({Severity::error, {file.string()}, "there is no shader in it", true});
@@ -371,6 +387,42 @@ std::string tab_of_file(const fs::path& file) {
     const bool is_text =
         extension == ".glsl" || extension == ".frag" || extension == ".fs" || extension == ".txt";
     return is_text ? tab_of_name(file.stem().string()) : std::string();
+}
+
+// What an export says of the tabs that it wrote, of which somebody may have edited the code since.
+std::optional<Shadertoy> read_beside_tabs(const fs::path& folder, Diagnostics& diagnostics,
+                                          bool anywhere) {
+    const fs::path file = folder / kShadertoyFile;
+    std::error_code error;
+    if (!fs::is_regular_file(file, error) || (!anywhere && !is_within(file, folder)))
+        return std::nullopt;
+    Diagnostics found;
+    std::vector<Shadertoy> shaders = read_shadertoys(file, found);
+    if (shaders.size() == 1) {
+        diagnostics.insert(diagnostics.end(), found.begin(), found.end());
+        return std::move(shaders.front());
+    }
+    diagnostics.push_back({Severity::warning,
+                           found.empty() ? Place{file.string()} : found.front().place,
+                           "what the tabs read cannot be read from it; iChannel0 to 3 are the "
+                           "buffers A to D that are there"});
+    return std::nullopt;
+}
+
+// The buffers A to D that are there, where nothing says what a tab reads.
+std::vector<ShadertoyInput> usual_inputs(const std::string& tab, const Shadertoy& shader) {
+    std::vector<ShadertoyInput> inputs;
+    for (const ShadertoyTab& other : shader.tabs) {
+        if (tab == "common" || !other.name.starts_with("buffer")) continue;
+        inputs.push_back({.channel = other.name.back() - 'A',
+                          .kind = "buffer",
+                          .buffer = other.name,
+                          .file = {},
+                          .filter = {},
+                          .wrap = {},
+                          .vflip = {}});
+    }
+    return inputs;
 }
 
 }  // namespace
@@ -414,17 +466,19 @@ std::optional<Shadertoy> read_shadertoy_folder(const fs::path& folder, Diagnosti
                                fmt::format("there is no image.glsl in this folder; {}", kTabFiles),
                                true});
     if (has_errors(diagnostics)) return std::nullopt;
+    const std::optional<Shadertoy> exported = read_beside_tabs(folder, diagnostics, anywhere);
+    if (exported) {
+        shader.id = exported->id;
+        if (!exported->title.empty()) shader.title = exported->title;
+        shader.author = exported->author;
+        shader.description = exported->description;
+    }
     for (ShadertoyTab& tab : shader.tabs) {
-        for (const ShadertoyTab& other : shader.tabs) {
-            if (tab.name == "common" || !other.name.starts_with("buffer")) continue;
-            tab.inputs.push_back({.channel = other.name.back() - 'A',
-                                  .kind = "buffer",
-                                  .buffer = other.name,
-                                  .file = {},
-                                  .filter = {},
-                                  .wrap = {},
-                                  .vflip = {}});
-        }
+        const auto known = [&] {
+            return std::ranges::find(exported->tabs, tab.name, &ShadertoyTab::name);
+        };
+        tab.inputs = exported && known() != exported->tabs.end() ? known()->inputs
+                                                                 : usual_inputs(tab.name, shader);
     }
     return shader;
 }

@@ -17,6 +17,9 @@ namespace glint {
 inline constexpr std::array<std::string_view, 8> kShadertoyTabs = {
     "common", "bufferA", "bufferB", "bufferC", "bufferD", "cubeA", "image", "sound"};
 
+// What an export writes beside the tabs: all of them, with what each reads.
+inline constexpr const char* kShadertoyFile = "shadertoy.json";
+
 // What one iChannel of a tab reads.
 struct ShadertoyInput {
     int channel = 0;           // 0 to 3
@@ -50,8 +53,9 @@ bool is_within(const std::filesystem::path& file, const std::filesystem::path& f
 // Whether a folder holds a shader's tabs, in any spelling of their names.
 bool is_shadertoy_folder(const std::filesystem::path& folder);
 
-// One shader from `common.glsl bufferA.glsl … image.glsl`, in any spelling of these names. A folder
-// does not say what a tab reads: iChannel0 to 3 become the buffers A to D that are there. Links
+// One shader from `common.glsl bufferA.glsl … image.glsl`, in any spelling of these names. What a
+// tab reads is told by the folder's kShadertoyFile; without one, iChannel0 to 3 become the buffers
+// A to D that are there. Links
 // that lead out of the folder are left out with a warning each, unless they may lead `anywhere`.
 std::optional<Shadertoy> read_shadertoy_folder(const std::filesystem::path& folder,
                                                Diagnostics& diagnostics, bool anywhere = false);

@@ -50,6 +50,29 @@ TEST_F(Export, WhatComesBackDrawsTheSameBytes) {
     EXPECT_EQ(draw("a.frag").pixels, draw("back.frag").pixels);
 }
 
+// Of a tab that somebody has edited since, too.
+TEST_F(Export, TheFolderOfTabsComesBackWithWhatEachReads) {
+    write("a.frag",
+          "uniform sampler2D state; //@ pass mainState filter=nearest wrap=repeat\n"
+          "uniform sampler2D grain; //@ noise rgba 64\n"
+          "void mainState(out vec4 c, in vec2 p) { c = vec4(p / 32.0, iGlobalTime, 1); }\n"
+          "void mainImage(out vec4 c, in vec2 p) { c = texture(grain, p / 64.0) * 0.5 + "
+          "texture(state, p / iResolution.xy + 0.7) * 0.25; }\n");
+    ASSERT_EQ(glint({"export", "a.frag", "-o", "out"}).code, 0);
+    EXPECT_NE(bytes("out/bufferA.glsl").find("#define iGlobalTime iTime\n"), std::string::npos);
+    ASSERT_EQ(glint({"import", "out", "-o", "back.frag"}).err, "");
+    EXPECT_EQ(draw("a.frag").pixels, draw("back.frag").pixels);
+    write("out/image.glsl",
+          "void mainImage(out vec4 c, in vec2 p) { c = texture(iChannel0, p / 64.0); }");
+    ASSERT_EQ(glint({"import", "out", "-o", "edited.frag"}).err, "");
+    EXPECT_NE(bytes("edited.frag").find("noise rgba 64x64"), std::string::npos);
+    write("out/shadertoy.json", "{");
+    const Outcome broken = glint({"import", "out", "-o", "broken.frag"});
+    EXPECT_EQ(broken.code, 0) << broken.err;
+    EXPECT_EQ(broken.err.find("out/shadertoy.json:2:1: warning: what the tabs read"), 0)
+        << broken.err;
+}
+
 // Also where a text asks for a channel that nothing fills, or for a size or a time alone, and where
 // a sampler has the name of a component.
 TEST_F(Export, ChannelsAreThoseThatTheTextMeans) {

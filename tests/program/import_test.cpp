@@ -321,14 +321,11 @@ TEST_F(Import, AFolderOfTabsInAnySpellingBecomesAScene) {
 }
 
 TEST_F(Import, SeveralShadersBecomeSeveralFilesAndNothingIsOverwritten) {
-    const auto red = [](double r) {
-        return Json{{"renderpass",
-                     Json::array({pass("image", "Image", 37,
-                                       fmt::format("void mainImage(out vec4 c, in vec2 p) {{ c = "
-                                                   "vec4({}, 0, 0, 1); }}\n",
-                                                   r))})}};
+    const auto red = [](const char* r) {
+        const std::string code = "void mainImage(out vec4 c, in vec2 p) { c.rgb = vec3(";
+        return Json{{"renderpass", {pass("image", "Image", 37, code + r + ", 0, 0); }\n")}}};
     };
-    write("two.json", Json::array({red(0.2), red(0.4)}).dump());
+    write("two.json", Json::array({red("0.2"), red("0.4")}).dump());
     ASSERT_EQ(glint({"import", "two.json", "-o", "two.frag"}).out, "two.frag\ntwo-2.frag\n");
     EXPECT_EQ(draw("two.frag", 0)[0], 51);
     EXPECT_EQ(draw("two-2.frag", 0)[0], 102);
@@ -337,6 +334,9 @@ TEST_F(Import, SeveralShadersBecomeSeveralFilesAndNothingIsOverwritten) {
     EXPECT_EQ(again.code, 1);
     EXPECT_NE(again.err.find("it is there already"), std::string::npos) << again.err;
     EXPECT_EQ(bytes("two.frag"), "// mine\n");
+    write("bad.json", Json::array({red("0.2"), Json{{"info", {{"name", "Fog"}}}}}).dump());
+    const std::string said = glint({"import", "bad.json", "-o", "bad.frag"}).err;
+    EXPECT_EQ(said.find("bad.json: error: shader 2, 'Fog': there is no shader in it"), 0) << said;
 }
 
 TEST_F(Import, WhatIsNoShaderIsSaidWithItsPlace) {
