@@ -96,7 +96,13 @@ std::string advice_on_foreign_name(std::string_view name) {
                            escape->first, escape->second);
     if (name == "gl_FragColor" || name == "gl_FragData")
         return "; a mainImage writes its first parameter";
-    return found(kFunctions, name);
+    constexpr std::string_view kEmpty[] = {"None", "NULL", "null", "nullptr", "nil", "undefined"};
+    if (std::ranges::find(kEmpty, name) != std::end(kEmpty))
+        return "; GLSL has no empty value: write 0, 0.0 or false";
+    constexpr Foreign kTruths[] = {
+        {"True", "true"}, {"TRUE", "true"}, {"False", "false"}, {"FALSE", "false"}};
+    const std::string truth = found(kTruths, name);
+    return truth.empty() ? found(kFunctions, name) : truth;
 }
 
 std::string advice_on_foreign_type(std::string_view name) {

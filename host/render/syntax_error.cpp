@@ -315,6 +315,10 @@ std::optional<std::string> known_mistake(const Complaint& complaint, const Aroun
                            around.word(1));
     if (around.is(-1, "=") && (text == ">" || text == "<"))
         return fmt::format("'={0}' is no operator; did you mean '{0}='?", text);
+    if (text == ":" && around.is(1, ":"))
+        return "GLSL has no '::'; write what stands behind it alone";
+    if (around.is(-1, "new") && (around.is_name(0) || around.is_known_type(0)))
+        return "GLSL has no 'new'; leave it out";
     const bool is_keyword_as_name = around.is_known_type(-1) || complaint.expects("a name");
     if (is_keyword_as_name && around.is_reserved(0) && !around.is_on_a_later_line())
         return fmt::format("'{}' is a word of GLSL, and a name is expected", text);

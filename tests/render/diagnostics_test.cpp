@@ -542,6 +542,8 @@ TEST_F(Complaints, SayWhatToDo) {
         {told("c.x = p.x % 2.0;"), "; of floats mod(a, b) is left"},
         {told("", "varying vec2 uv;\n"), "; nothing feeds it, for no vertices stand before"},
         {told("c.x = lerp(0.0, 1.0, 0.5);"), "'lerp'; GLSL's is mix"},
+        {told("bool b = True;"), "`True' undeclared; GLSL's is true"},
+        {told("float a = None;"), "`None' undeclared; GLSL has no empty value"},
         {told("float a = Math; a = Math;"), "`Math' undeclared"},
         {told("float distance = 1.0; c.x = distance(p, p);"),
          "distance(vec2, vec2)'; a variable of that name hides the function here"},

@@ -154,6 +154,10 @@ TEST_F(SyntaxErrors, NameATypeABracketAndAPointThatAreMissing) {
               "1:9: 'speed' has no type; write it, such as uniform float speed");
     EXPECT_EQ(first_complaint(in_image("c = vec4(sin p.x);")), "2:10: '(' is missing behind 'sin'");
     EXPECT_EQ(first_complaint(in_image("float a = 0,5;")), "2:13: numbers have a point: write 0.5");
+    EXPECT_EQ(first_complaint(in_image("float a = std::max(0.0, 1.0);")),
+              "2:14: GLSL has no '::'; write what stands behind it alone");
+    EXPECT_EQ(first_complaint(in_image("vec3 a = new vec3(1.0);")),
+              "2:14: GLSL has no 'new'; leave it out");
 }
 
 TEST_F(SyntaxErrors, NameNumbersHeadsOfForAndNamesThatAreTaken) {
