@@ -33,6 +33,14 @@ protected:
     }
 };
 
+// (1 - 4/60)^32 beside (1 - 4/120)^64.
+TEST_F(CheckGrowth, WhatAStepCostsInAccuracyIsTold) {
+    simulate("if (iFrame == 0) x = vec4(1);\n    x -= 4.0 * h * x;");
+    EXPECT_NE(verdict("step 1/60 s", 0)
+                  .find("order 1.01: after 0.53 s half the step changes 3.7 % of the state"),
+              std::string::npos);
+}
+
 // Explicit Euler, by (1 + (h w)^2)^(1/2) a step; five to sixteen swings in the run, all in phase.
 TEST_F(CheckGrowth, OfFewSwingsIsFound) {
     for (const double w : {1.0, 2.0, 3.0}) {

@@ -261,7 +261,7 @@ double rounding_of(const std::vector<float>& state, const std::vector<float>& ot
 
 // By how many powers of two halving the step brings the state nearer to where it converges; told
 // where it matters most.
-std::string order_of(Stepped& stepped) {
+std::string order_of(Stepped& stepped, double step) {
     const auto whole = stepped.states_with_parts(1), half = stepped.states_with_parts(2),
                quarter = stepped.states_with_parts(4);
     std::size_t at = 0;
@@ -280,7 +280,12 @@ std::string order_of(Stepped& stepped) {
     const double order = std::log2(one / next);
     // One that does not converge has none: what is added a step is no share of iTimeDelta.
     if (!(order > kLeastOrder)) return "no order: halving it brings the state no nearer to any";
-    return fmt::format("order {:.2f}", order);
+    const double off = distance(whole.back(), half.back()), of = distance(half.back(), {});
+    return fmt::format("order {:.2f}{}", order,
+                       of > 0.0 ? fmt::format(": after {:.2g} s half the step changes {:.2g} % of "
+                                              "the state",
+                                              step * kCompared[whole.size() - 1], 100.0 * off / of)
+                                : "");
 }
 
 void run_stiffness(StepKey step, Check& check, CaseResult& result) {
@@ -308,7 +313,7 @@ void run_stiffness(StepKey step, Check& check, CaseResult& result) {
     result.note =
         fmt::format("{} up to {:.3g} times the step in use, {:.3g} s, over the ranges' ends; {}",
                     least >= kMostTimes ? "stable at least" : "stable", least, seconds * least,
-                    order_of(stepped));
+                    order_of(stepped, seconds));
 }
 
 }  // namespace
