@@ -33,6 +33,25 @@ protected:
     }
 };
 
+// A spring that swings and an average lose little by one rounding; each frame's adds up in the
+// spring alone, and chaos makes as much of one as of all.
+TEST_F(CheckGrowth, WhatSumsLoseIn16BitsIsFound) {
+    const auto said = [&](const std::string& text) {
+        simulate(text, "", "1/240 format=rgba16f");
+        return verdict("buffers of rgba32f", text.find("h * x.y") != text.npos ? 6 : 0);
+    };
+    const std::string spring = said(
+        "if (iFrame == 0) x = vec4(50, 0, 0, 1);\n"
+        "x.y += h * (-9.0 * x.x - 0.5 * x.y);\nx.x += h * x.y;");
+    EXPECT_NE(spring.find("s rounds in each frame what it adds to; ask for format=rgba32f"),
+              std::string::npos)
+        << spring;
+    EXPECT_TRUE(said("x = mix(x, vec4(sin(iTime)), 0.05);").starts_with("pass"));
+    EXPECT_TRUE(said("if (iFrame == 0) x = vec4(0.3 + 0.02 * p.x);\n"
+                     "x = 3.9 * x * (1.0 - x);")
+                    .starts_with("pass"));
+}
+
 // (1 - 4/60)^32 beside (1 - 4/120)^64.
 TEST_F(CheckGrowth, WhatAStepCostsInAccuracyIsTold) {
     simulate("if (iFrame == 0) x = vec4(1);\n    x -= 4.0 * h * x;");

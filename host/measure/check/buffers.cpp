@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 #include <glm/common.hpp>
+#include <glm/gtc/packing.hpp>
 
 #include <algorithm>
 #include <array>
@@ -135,6 +136,20 @@ void exchange(const CheckSubject& subject, std::size_t index, const std::vector<
             for (int y = texel.y - round; y <= texel.y + round; ++y)
                 for (int x = texel.x - round; x <= texel.x + round; ++x)
                     put((glm::ivec2(x, y) + round * size) % size);
+        if (buffer.shape().mipmaps) make_mipmaps(texture);
+    }
+}
+
+void round_to_halves(const CheckSubject& subject, std::size_t index) {
+    const Buffer& buffer = subject.renderer().buffer(index);
+    if (buffer.shape().cube) return;
+    const glm::ivec2 size = buffer.shape().size;
+    for (std::size_t output = 0; output < static_cast<std::size_t>(buffer.shape().outputs);
+         ++output) {
+        std::vector<float> values = subject.renderer().read_buffer(index, output);
+        for (float& value : values) value = glm::unpackHalf1x16(glm::packHalf1x16(value));
+        const GLuint texture = buffer.texture(output);
+        glTextureSubImage2D(texture, 0, 0, 0, size.x, size.y, GL_RGBA, GL_FLOAT, values.data());
         if (buffer.shape().mipmaps) make_mipmaps(texture);
     }
 }

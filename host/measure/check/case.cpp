@@ -217,6 +217,7 @@ std::vector<Case> all_cases(const CheckSubject& subject, const Effort& effort) {
     end_group();
     add_poison_cases(list, subject, effort);
     add_other_cases(list, subject);
+    add_halves_case(list, subject);
     add_unset_case(list, subject);
     add_assertion_case(list, subject);
     add_sound_case(list, subject);

@@ -92,11 +92,16 @@ void add_search_case(std::vector<Case>& list, const CheckSubject& subject);
 void add_worst_case(std::vector<Case>& list, const CheckSubject& subject);
 void add_long_case(std::vector<Case>& list, const CheckSubject& subject);
 void add_other_cases(std::vector<Case>& list, const CheckSubject& subject);
+void add_halves_case(std::vector<Case>& list, const CheckSubject& subject);
 
 // Whether --tweak makes it another look than its file's; then the case is left out, and says so.
 bool is_another_look(const CheckSubject& subject, CaseResult& result);
 
 CasePlace place_of(const ProbeFault& fault);
+
+// The scene with floats of 32 bits in all its buffers, at the tweaks, events and size of now; as it
+// was opened otherwise.
+CheckSubject& wide_of(Check& check);
 
 // Fails where a buffer of 16-bit floats is to hold more than they can, which the driver at hand may
 // hide: what the case drew last is drawn again with floats of 32 bits.

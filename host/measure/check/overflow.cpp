@@ -13,23 +13,6 @@ namespace {
 constexpr float kRoundsToInf = 65520.0f;  // the least that is nearer to 2^16 than to 65504
 constexpr int kMostFramesAgain = 240;
 
-// The scene with room for all that it gives to its buffers, at the tweaks, events and size of now.
-CheckSubject& wide_of(Check& check) {
-    const CheckSubject& subject = check.subject;
-    if (!check.wide) {
-        check.wide = std::make_unique<CheckSubject>(
-            subject.view(), subject.opened(), subject.context(),
-            SubjectOptions{.float_bytes = 4, .specialise = subject.specialised()});
-        check.wide->after_frame = subject.after_frame;
-    }
-    CheckSubject& wide = *check.wide;
-    wide.restore();
-    if (!subject.specialised()) wide.preset.values = subject.preset.values;
-    wide.preset.events = subject.preset.events;
-    wide.resize(subject.preset.size);
-    return wide;
-}
-
 // The largest magnitude that the output is given in the frames up to the one drawn last.
 float largest_given(CheckSubject& wide, const Playback& playback, std::string_view output) {
     float largest = 0.0f;
@@ -49,6 +32,22 @@ float largest_given(CheckSubject& wide, const Playback& playback, std::string_vi
 }
 
 }  // namespace
+
+CheckSubject& wide_of(Check& check) {
+    const CheckSubject& subject = check.subject;
+    if (!check.wide) {
+        check.wide = std::make_unique<CheckSubject>(
+            subject.view(), subject.opened(), subject.context(),
+            SubjectOptions{.float_bytes = 4, .specialise = subject.specialised()});
+        check.wide->after_frame = subject.after_frame;
+    }
+    CheckSubject& wide = *check.wide;
+    wide.restore();
+    if (!subject.specialised()) wide.preset.values = subject.preset.values;
+    wide.preset.events = subject.preset.events;
+    wide.resize(subject.preset.size);
+    return wide;
+}
 
 void judge_overflow(Check& check, CaseResult& result) {
     const CheckSubject& subject = check.subject;

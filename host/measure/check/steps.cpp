@@ -23,9 +23,9 @@ constexpr int kSteppedFrames = 64, kLeastStepped = 8;  // at each frame time
 constexpr float kMostStateOff = 1e-3f;  // of the largest value
 constexpr double kMostTilesOff = 0.02;  // root mean square, in display values
 constexpr glm::ivec2 kTiles(8, 5);
-constexpr int kMoments = 240;
-constexpr double kMomentsSpan = 600.0;  // s
-constexpr float kGrowth = 20.0f;        // from the first quarter of a long run to its last
+constexpr int kLongMoments = 240;
+constexpr double kLongSpan = 600.0;  // s
+constexpr float kGrowth = 20.0f;     // from the first quarter of a long run to its last
 
 struct FrameTime {
     const char* name;
@@ -225,9 +225,9 @@ void run_long(Check& check, CaseResult& result) {
         return true;
     };
     if (!subject.stateful()) {
-        const int moments = check.paced(kMoments, 12);
+        const int moments = check.paced(kLongMoments, 12);
         for (int k = 0; k < moments; ++k) {
-            if (!subject.show(subject.preset.time + k * kMomentsSpan / moments, 0.0)) return;
+            if (!subject.show(subject.preset.time + k * kLongSpan / moments, 0.0)) return;
             invariants.add(subject, k);
         }
         result.curves = invariants.curves();
