@@ -20,6 +20,8 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <ranges>
 #include <set>
 
 namespace glint {
@@ -36,19 +38,28 @@ struct Tab {
 
 class Exporter {
 public:
-    explicit Exporter(const Preset& preset)
-        : preset_(preset), scene_(preset.scene), compiled_(compile_or_stop(preset, {})) {
+    explicit Exporter(const Preset& preset) : preset_(preset), scene_(preset.scene) {
+        compile(kImagePass);
         if (scene_.image_entry == "main")
             throw UsageError(
                 "The site takes no text with a main() of its own. Write void mainImage(out vec4 "
                 "fragColor, in vec2 fragCoord), and these two for gl_FragColor and gl_FragCoord.");
-        if (scene_.has_sound) sound_ = compile_or_stop(preset, {.root = kSoundPass, .program = {}});
+        if (scene_.has_sound)
+            sound_ = compile_or_stop(preset, {.root = kSoundPass, .program = {}}, &told_);
+        compile_told_of();
         find_tabs();
     }
 
     void write(const fs::path& folder);
 
 private:
+    void compile(std::size_t pass) {
+        pictures_.push_back(compile_or_stop(preset_, {.root = pass, .program = {}}, &told_));
+    }
+    void compile_told_of();
+    std::array<bool, 4> channels_named(std::size_t pass) const;
+    const PassProgram* drawn(std::size_t pass) const;
+    std::vector<GraphPass> drawn_passes() const;
     void write_all(const fs::path& folder, const std::vector<std::string>& texts);
     void warn_of_others(const fs::path& folder);
     void require_unedited(const std::vector<NamedFile>& outputs) const;
@@ -56,7 +67,7 @@ private:
     void warn_of_order();
     const PassProgram& program_of(const Tab& tab) const;
     std::array<std::optional<std::size_t>, 4> channels_of(const Tab& tab) const;
-    std::optional<std::size_t> filled_channel(const std::string& name) const;
+    std::optional<std::size_t> filled_channel(std::size_t pass, std::size_t channel) const;
     std::string tab_text(const Tab& tab);
     std::string unread_defines(const Reading& body,
                                const std::array<std::optional<std::size_t>, 4>& channels) const;
@@ -74,15 +85,49 @@ private:
 
     const Preset& preset_;
     const Scene& scene_;
-    CompiledScene compiled_;
+    std::vector<CompiledScene> pictures_;  // the image's, and those of compile_told_of()
     std::optional<CompiledScene> sound_;
+    Diagnostics told_;
     std::vector<Tab> tabs_;
 };
 
+const PassProgram* Exporter::drawn(std::size_t pass) const {
+    for (const CompiledScene& picture : pictures_)
+        for (const PassProgram& program : picture.programs)
+            if (program.pass == pass) return &program;
+    return nullptr;
+}
+
+// Those that fill buffers, each once, in drawing order.
+std::vector<GraphPass> Exporter::drawn_passes() const {
+    std::map<std::size_t, GraphPass> passes;
+    for (const CompiledScene& picture : pictures_)
+        for (const GraphPass& pass : picture.graph.passes)
+            if (fills_a_buffer(pass.pass)) passes.emplace(pass.pass, pass);
+    const auto values = passes | std::views::values;
+    return {values.begin(), values.end()};
+}
+
+// A buffer of which nothing but the size is asked is not drawn here; the site tells the sizes of
+// those alone that it draws.
+void Exporter::compile_told_of() {
+    for (std::size_t i = 0; i < pictures_.size(); ++i) {
+        for (std::size_t k = 0; k < pictures_[i].programs.size(); ++k) {
+            const PassProgram& program = pictures_[i].programs[k];
+            const std::array<bool, 4> named = channels_named(program.pass);
+            for (const std::size_t told : channels_told_of(preset_, program)) {
+                const Sampler& sampler = sampler_at(preset_, told);
+                const bool is_named = named[static_cast<std::size_t>(sampler.name.back() - '0')];
+                if (is_named && sampler.source == Source::buffer && !drawn(sampler.pass))
+                    compile(sampler.pass);
+            }
+        }
+    }
+}
+
 void Exporter::find_tabs() {
     int buffers = 0, cubes = 0;
-    for (const GraphPass& graph : compiled_.graph.passes) {
-        if (graph.pass == kImagePass) continue;
+    for (const GraphPass& graph : drawn_passes()) {
         const Pass& pass = scene_.passes[graph.pass];
         for (std::size_t i = 0; i < pass.outputs.size(); ++i) {
             const int index = pass.cube ? cubes++ : buffers++;
@@ -105,8 +150,7 @@ void Exporter::find_tabs() {
 // The site draws outputs one after the other, buffers before cubes.
 void Exporter::warn_of_order() {
     std::set<std::size_t> cubes;
-    for (const GraphPass& graph : compiled_.graph.passes) {
-        if (!fills_a_buffer(graph.pass)) continue;
+    for (const GraphPass& graph : drawn_passes()) {
         const Pass& pass = scene_.passes[graph.pass];
         const auto reads = [&](std::size_t other) {
             return std::ranges::find(graph.reads, other) != graph.reads.end();
@@ -127,8 +171,7 @@ void Exporter::warn_of_order() {
 }
 
 const PassProgram& Exporter::program_of(const Tab& tab) const {
-    const auto& programs = tab.pass == kSoundPass ? sound_->programs : compiled_.programs;
-    return *std::ranges::find(programs, tab.pass, &PassProgram::pass);
+    return tab.pass == kSoundPass ? sound_->programs[sound_->root] : *drawn(tab.pass);
 }
 
 const Tab& Exporter::tab_of(const Sampler& sampler) const {
@@ -138,7 +181,9 @@ const Tab& Exporter::tab_of(const Sampler& sampler) const {
 }
 
 // Which channels a pass's text asks for, be it for their size or time alone.
-std::array<bool, 4> channels_named(const Reading& reading) {
+std::array<bool, 4> Exporter::channels_named(std::size_t pass) const {
+    const std::string text = site_text(preset_, pass).text;
+    const Reading reading = read_glsl(text, known_of_pass(output_names(scene_, pass)));
     std::array<bool, 4> named{};
     for (std::size_t i = 0; i < named.size(); ++i)
         named[i] = reading.mentions(fmt::format("iChannel{}", i));
@@ -153,13 +198,14 @@ std::array<bool, 4> channels_named(const Reading& reading) {
     return named;
 }
 
-// What fills the channel of this name, if anything does.
-std::optional<std::size_t> Exporter::filled_channel(const std::string& name) const {
-    for (std::size_t i = 0; i < scene_.samplers.size() + preset_.channels.size(); ++i)
-        if (const Sampler& sampler = sampler_at(preset_, i);
-            sampler.name == name && sampler.source != Source::none)
-            return i;
-    return std::nullopt;
+// What fills this channel for a pass that names it, if anything does.
+std::optional<std::size_t> Exporter::filled_channel(std::size_t pass, std::size_t channel) const {
+    const auto found = find_sampler(preset_, pass, fmt::format("iChannel{}", channel));
+    if (!found) return std::nullopt;
+    const Sampler& sampler = sampler_at(preset_, *found);
+    const bool is_filled = sampler.source == Source::buffer ? drawn(sampler.pass) != nullptr
+                                                            : sampler.source != Source::none;
+    return is_filled ? found : std::nullopt;
 }
 
 // By sampler (as in sampler_at). One that is called iChannel2 keeps its number, and no other takes
@@ -174,11 +220,9 @@ std::array<std::optional<std::size_t>, 4> Exporter::channels_of(const Tab& tab) 
         else
             others.push_back(uniform.sampler);
     }
-    const std::string body = site_text(preset_, tab.pass).text;
-    const std::array<bool, 4> named =
-        channels_named(read_glsl(body, known_of_pass(output_names(scene_, tab.pass))));
+    const std::array<bool, 4> named = channels_named(tab.pass);
     for (std::size_t i = 0; i < channels.size(); ++i)
-        if (named[i] && !channels[i]) channels[i] = filled_channel(fmt::format("iChannel{}", i));
+        if (named[i] && !channels[i]) channels[i] = filled_channel(tab.pass, i);
     std::ranges::sort(others);
     for (const std::size_t sampler : others) {
         const auto free = std::ranges::find_if(channels, [&](const auto& channel) {

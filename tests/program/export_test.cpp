@@ -87,7 +87,12 @@ TEST_F(Export, ChannelsAreThoseThatTheTextMeans) {
             "vec4(iChannelResolution[0].x / 512.0, 0, 0, 1); }\n",
         "uniform sampler2D b; //@ pass mainB\n"
         "void mainB(out vec4 c, in vec2 p) { c = vec4(1); }\n" +
-            image + "texelFetch(b, ivec2(p), 0); c.b = 0.5; }\n"};
+            image + "texelFetch(b, ivec2(p), 0); c.b = 0.5; }\n",
+        "uniform sampler2D b; //@ pass mainB\nuniform samplerCube d; //@ pass mainD size=1024\n"
+        "uniform sampler2D iChannel0; //@ buffer b\nuniform samplerCube iChannel1; //@ buffer d\n"
+        "void mainB(out vec4 c, in vec2 p) { c = vec4(1); }\n"
+        "void mainD(out vec4 c, in vec2 p, in vec3 o, in vec3 d) { c = vec4(1); }\n" +
+            image + "vec4(iChannelResolution[0].xy / 99.0, iChannelResolution[1].x / 2e3, 1); }\n"};
     for (const std::string& text : texts) {
         write("a.frag", text);
         ASSERT_EQ(glint({"export", "a.frag", "-o", "out"}).code, 0);

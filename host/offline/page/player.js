@@ -38,7 +38,7 @@ export const makePlayer = (gl, plan, planned, fell) => {
     gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
 
     const pixelsOf = ({size, scale}) => size ?? player.size.map(s => max(1, floor(s * (scale ?? 1) + 0.5)));
-    const sizeOf = input => input?.from ? [...pixelsOf(input), 1] : input?.size ?? [0, 0, 0];
+    const sizeOf = input => input?.source === "buffer" ? [...pixelsOf(input), 1] : input?.size ?? [0, 0, 0];
 
     // The host's first choice, or the first for which the browser has all that it needs.
     const formatOf = (what, formats) => {
