@@ -135,18 +135,23 @@ std::string comment_line(std::string text) {
     return std::string(trimmed(text));
 }
 
-// A text may use the names that buffers get here for something of its own.
+// What the pass that fills this buffer is called.
+std::string filling_function(const std::string& buffer) {
+    return "main" + std::string(1, static_cast<char>(buffer[0] - 'a' + 'A')) + buffer.substr(1);
+}
+
+// A text may use the names that buffers and their passes get here for something of its own.
 Shadertoy with_free_names(Shadertoy shader) {
     std::vector<Reading> texts;
     for (const ShadertoyTab& tab : shader.tabs)
         texts.push_back(read_glsl(tab.code, known_of_scene()));
-    const auto is_used = [&](const char* name) {
+    const auto is_used = [&](const std::string& name) {
         return std::ranges::any_of(texts, [&](const Reading& text) { return text.mentions(name); });
     };
     for (const char* name : {"bufferA", "bufferB", "bufferC", "bufferD", "cubeA"}) {
         const bool is_there =
             std::ranges::find(shader.tabs, name, &ShadertoyTab::name) != shader.tabs.end();
-        if (!is_there || !is_used(name)) continue;
+        if (!is_there || (!is_used(name) && !is_used(filling_function(name)))) continue;
         const std::string free = std::string(name) + "Tab";
         for (ShadertoyTab& tab : shader.tabs) {
             if (tab.name == name) tab.name = free;
@@ -226,9 +231,9 @@ void Writer::write_header() {
 void Writer::write_passes() {
     for (const ShadertoyTab& tab : shader_.tabs) {
         if (!tab.name.starts_with("buffer") && !is_cube(tab)) continue;
-        text_ += fmt::format("uniform {} {};  //@ pass main{}{}\n",
-                             is_cube(tab) ? "samplerCube" : "sampler2D", tab.name,
-                             static_cast<char>(tab.name[0] - 'a' + 'A'), tab.name.substr(1));
+        text_ +=
+            fmt::format("uniform {} {};  //@ pass {}\n", is_cube(tab) ? "samplerCube" : "sampler2D",
+                        tab.name, filling_function(tab.name));
     }
 }
 

@@ -59,15 +59,16 @@ protected:
     }
 };
 
-TEST_F(Import, AFunctionMayBearTheNameOfABuffer) {
+TEST_F(Import, AFunctionMayBearTheNameOfABufferOrOfItsPass) {
     Json passes = chain(257, 258, 37);
     passes[3]["code"] =
-        "float bufferA() { return 0.4; }\nfloat shared_green() { return bufferA(); }";
+        "float bufferA() { return 0.4; }\nfloat shared_green() { return bufferA(); }\n"
+        "void mainBufferB(out vec4 c, in vec2 p) { c = vec4(0.9); }";
     write("a.json",
           Json{{"Shader", {{"ver", "0.1"}, {"info", Json::object()}, {"renderpass", passes}}}}
               .dump());
     ASSERT_EQ(glint({"import", "a.json", "-o", "a.frag"}).code, 0);
-    EXPECT_EQ(draw("a.frag", 3)[1], 102);
+    EXPECT_EQ(draw("a.frag", 7), (std::array{56, 102, 64}));
 }
 
 TEST_F(Import, BothDialectsDrawTheSame) {
