@@ -13,7 +13,7 @@ namespace {
 constexpr std::string_view kFaults =
     R"(int glint0_id = 0, glint0_last = 0, glint0_found = 0, glint0_first = 0, glint0_worst = 0, glint0_divided = -1;
 bool glint0_mends = false;
-float glint0_scale = 7.0, glint0_inside = 0.37;
+float glint0_scale = 7.0, glint0_inside = 0.37, glint0_side = 1.0;
 uvec4 glint0_bits = uvec4(0u, 0u, 0x7F7FFFFFu, 0u);
 vec4 glint0_divisor = vec4(1.0);
 void glint0_f(int i, bool is_wrong, uint a, uint b) {
@@ -31,7 +31,7 @@ float glint0_v(int i, float v) {
     glint0_f(i, (floatBitsToUint(v) & 0x7F800000u) == 0x7F800000u, v);
     bool is_nan = (floatBitsToUint(v) & 0x7FFFFFFFu) > 0x7F800000u;
     glint0_u(i, is_nan, v, 3e38);
-    return glint0_mends && is_nan ? 0.05 * glint0_scale : v;
+    return glint0_mends && is_nan ? 0.05 * glint0_scale * glint0_side : v;
 }
 float glint0_d(int i, float b) {
     glint0_divided = i;
@@ -43,7 +43,7 @@ float glint0_d(int i, float b) {
 float glint0_q(int i, float v, float b) {
     bool is_none = b == 0.0 && glint0_divided == i && (floatBitsToUint(v) & 0x7FFFFFFFu) != 0x7F800000u;
     glint0_u(i, is_none, 0x7FC00000u, 3e38);
-    return glint0_mends && is_none ? 0.05 * glint0_scale : v;
+    return glint0_mends && is_none ? 0.05 * glint0_scale * glint0_side : v;
 }
 float glint0_q(int i, float v) { return glint0_q(i, v, glint0_divisor.x); }
 int glint0_d(int i, int b) { glint0_f(i, b == 0, uint(b), 0u); glint0_u(i, b == 0, uint(b), abs(float(b))); return b; }
@@ -51,13 +51,13 @@ uint glint0_d(int i, uint b) { glint0_f(i, b == 0u, b, 0u); glint0_u(i, b == 0u,
 int glint0_by(int i, int b) {
     glint0_f(i, b <= 0, uint(b), 0u);
     glint0_u(i, b <= 0, uint(b), b == 0 ? 0.0 : 3e38);
-    return glint0_mends && b < 0 ? int(glint0_scale) : b;
+    return glint0_mends && b < 0 ? int(min(glint0_scale, 2e9)) : b;
 }
 uint glint0_by(int i, uint b) { return glint0_d(i, b); }
 int glint0_rest(int i, int a) {
     glint0_f(i, a < 0, uint(a), 0u);
     glint0_u(i, a < 0, uint(a), 3e38);
-    return glint0_mends && a < 0 ? int(glint0_scale) : a;
+    return glint0_mends && a < 0 ? int(min(glint0_scale, 2e9)) : a;
 }
 uint glint0_rest(int i, uint a) { return a; }
 int glint0_i(int i, int at, int count) {
@@ -72,12 +72,19 @@ ivec2 glint0_t(int i, ivec2 at, ivec2 size) {
     glint0_u(i, is_out || at.y < 0 || at.y >= size.y, uint(is_out ? at.x : at.y), 3e38);
     return glint0_mends ? clamp(at, ivec2(0), size - 1) : at;
 }
-ivec3 glint0_t(int i, ivec3 at, ivec3 size) { return at; }
+ivec3 glint0_t(int i, ivec3 at, ivec3 size) {
+    bool is_out = at.z < 0 || at.z >= size.z;
+    glint0_u(i, is_out, uint(at.z), 3e38);
+    at.xy = glint0_t(i, at.xy, size.xy);
+    return glint0_mends ? clamp(at, ivec3(0), size - 1) : at;
+}
+ivec2 glint0_t(int i, ivec2 at, ivec2 size, ivec2 by) { return glint0_t(i, at + by, size) - by; }
+ivec3 glint0_t(int i, ivec3 at, ivec3 size, ivec3 by) { return glint0_t(i, at + by, size) - by; }
 float glint0_to_int(int i, float v) {
     bool is_out = !(v >= -2147483648.0 && v < 2147483648.0);
     glint0_f(i, is_out, v);
     glint0_u(i, is_out, v, 2147483648.0 - abs(v));
-    return glint0_mends && is_out ? min(glint0_scale, 2e9) : v;
+    return glint0_mends && is_out ? min(glint0_scale, 2e9) * glint0_side : v;
 }
 float glint0_to_uint(int i, float v) {
     bool is_out = !(v > -1.0 && v < 4294967296.0);
@@ -95,7 +102,8 @@ uint glint0_s(int i, uint n) { return uint(glint0_s(i, n > 2147483647u ? 2147483
 )";
 
 // `is_undefined`: what no driver owes a result. `off`: how far from that. `mended`: an operand that
-// has a result, another one than what is undefined may come to: a usual, a small or a large one.
+// has a result, another one than what is undefined may come to: a usual, a small, a large or a
+// negative one.
 struct Domain {
     const char *name, *is_wrong, *is_undefined, *off, *mended;
 };
@@ -115,9 +123,9 @@ constexpr std::array<Domain, 3> kTwo = {
     {{"pow", "a < 0.0 || (a == 0.0 && b <= 0.0)", "a < 0.0 || (a == 0.0 && b <= 0.0)", "a",
       "max(v, -glint0_scale * v) + glint0_scale * (1.0 - step(1e-30, abs(v) + max(w, 0.0))), "
       "w + (1.0 - step(1e-30, abs(v) + abs(w)))"},
-     {"mod", "b == 0.0", "b == 0.0", "abs(b)", "v, w + 1.0"},
+     {"mod", "b == 0.0", "b == 0.0", "abs(b)", "v, w + glint0_scale * glint0_side"},
      {"atan", "a == 0.0 && b == 0.0", "a == 0.0 && b == 0.0", "3e38",
-      "v + glint0_scale, w + 1.0"}}};
+      "v + glint0_scale * glint0_side, w + 1.0"}}};
 
 // What is done for each component of a vector.
 std::string for_each(int length, const std::string& call) {
@@ -189,15 +197,6 @@ std::string faults_of_other_types() {
                 fmt::format("{0} glint0_{1}(int i, {0} v) {{ {2}return v; }}\n", type, name,
                             for_each(n, fmt::format("v{{of}} = glint0_{}(i, v{{of}}); ", name)));
     }
-    // `v %= by`, where v is looked at.
-    for (const std::string one : {"int", "uint"})
-        for (int n = 1; n <= 4; ++n) {
-            const std::string type = n == 1 ? one : fmt::format("{}vec{}", one[0], n);
-            for (int k = 0; k < (n == 1 ? 1 : 2); ++k)
-                text += fmt::format(
-                    "{0} glint0_rest(int i, {0} by, {1} v) {{ glint0_rest(i, v); return by; }}\n",
-                    k == 0 ? type : one, type);
-        }
     for (const std::string_view matrix : kProbeMatrices) {
         text += fmt::format("{0} glint0_v(int i, {0} v) {{ ", matrix);
         for (int c = 0; c < matrix_columns(matrix); ++c)
@@ -284,6 +283,12 @@ std::string faults_of_two(const std::string& type, int n) {
     return text;
 }
 
+// What has no direction may be given any: by turns to all sides.
+constexpr std::array<const char*, 4> kDirections = {
+    "glint0_side", "glint0_side * vec2(1.0, glint0_scale - 6.0)",
+    "glint0_side * vec3(1.0, glint0_scale - 6.0, 1.0)",
+    "glint0_side * vec4(1.0, glint0_scale - 6.0, 1.0, glint0_scale - 6.0)"};
+
 }  // namespace
 
 std::string fault_functions() {
@@ -295,8 +300,8 @@ std::string fault_functions() {
         text += fmt::format(
             "{0} glint0_normalize(int i, {0} v) {{ float a = length(v); "
             "glint0_f(i, dot(v, v) == 0.0, a); glint0_u(i, a == 0.0, a, a); "
-            "return normalize(glint0_mends && a == 0.0 ? v + 1.0 : v); }}\n",
-            type);
+            "return normalize(glint0_mends && a == 0.0 ? v + {1} : v); }}\n",
+            type, kDirections[static_cast<std::size_t>(n) - 1]);
     }
     for (const char* matrix : {"mat2", "mat3", "mat4"})
         text += fmt::format(

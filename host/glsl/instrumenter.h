@@ -95,10 +95,12 @@ private:
         return true;
     }
 
+    static constexpr std::int64_t kNearest = std::numeric_limits<std::int32_t>::max();
+
     // Nearest to what they stand around, for each has a comma of its own.
     void add_remainders(const std::vector<Remainder>& remainders) {
         for (const Remainder& one : remainders) {
-            wrap(one.range, one.before, ")", std::numeric_limits<std::int32_t>::max());
+            wrap(one.range, one.before, ")", kNearest);
             words_.push_back({one.sign, Words::Where::instead, {}, one.instead});
         }
     }

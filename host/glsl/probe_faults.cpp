@@ -37,18 +37,28 @@ void Instrumenter::over_division(std::uint32_t at, TokenRange room) {
         if (!is_number) hand_through(SiteKind::remainder, spelling, begin, divisor, "glint0_by");
         if (!assigns)
             return hand_through(SiteKind::remainder, spelling, begin, {first, at}, "glint0_rest");
+        // Before `n %= by` the variable itself is given what it should be.
         const TokenRange left = {begin, at};
-        if (records_.is_variable(left))
-            hand_through(SiteKind::remainder, spelling, begin, divisor, "glint0_rest",
-                         "," + reading_.spelled(left));
+        const auto site = records_.is_variable(left)
+                              ? add_site(SiteKind::remainder, spelling, begin)
+                              : std::nullopt;
+        const std::string name = reading_.spelled(left);
+        if (site &&
+            !wrap({begin, end}, fmt::format("({0}=glint0_rest({1},{0}),", name, *site), ")"))
+            probed_.sites.pop_back();
         return;
     }
     if (is_number) return;
     const std::size_t site = probed_.sites.size();
     hand_through(SiteKind::division, spelling, begin, divisor, "glint0_d");
     // 1/0 is infinite, 0/0 nothing: what comes of it tells.
-    if (assigns || probed_.sites.size() == site) return;
-    wrap({first, end}, fmt::format("glint0_q({},", site), ")");
+    if (probed_.sites.size() == site) return;
+    const TokenRange left = {begin, at};
+    if (!assigns)
+        wrap({first, end}, fmt::format("glint0_q({},", site), ")", kNearest);
+    else if (records_.is_variable(left))
+        wrap({begin, end}, "(",
+             fmt::format(",{0}=glint0_q({1},{0}))", reading_.spelled(left), site));
 }
 
 bool Instrumenter::may_be_no_number(TokenRange value) const {
@@ -153,7 +163,7 @@ void Instrumenter::over_call(const Call& call) {
     if (wish_.kind == ProbeKind::cost && is_one_of(name, kReads))
         return hand_through(SiteKind::read, std::string(name), call.name, whole, "glint0_n");
     if (wish_.kind != ProbeKind::faults) return;
-    if (name == "texelFetch") return over_fetch(call);
+    if (name == "texelFetch" || name == "texelFetchOffset") return over_fetch(call);
     if (is_one_of(name, kWhole)) return over_conversion(call);
     if (is_one_of(name, kHiding))
         for (const TokenRange one : reading_.arguments_of(call))
@@ -199,18 +209,22 @@ void Instrumenter::over_shift(std::uint32_t at, TokenRange room) {
 }
 
 // `texelFetch(buffer, at, 0)` of a sampler that has a name, and a level that may be asked once
-// more.
+// more. An offset, which is constant, is added to the place meanwhile.
 void Instrumenter::over_fetch(const Call& call) {
     const std::uint32_t first = call.brackets.begin + 1;
     const std::vector<TokenRange> arguments = reading_.arguments_of(call);
-    if (call.arity != 3 || !token(first).is_word() || !token(first + 1).is(",")) return;
+    const bool has_offset = reading_.word(call.name) != "texelFetch";
+    if (call.arity != (has_offset ? 4 : 3) || !token(first).is_word() || !token(first + 1).is(","))
+        return;
     const TokenRange place = arguments[1], last = arguments[2];
     const bool is_number = last.size() == 1 && token(last.begin).kind == TokenKind::number;
     if (last.empty() || (!is_number && !records_.is_variable(last))) return;
     const std::string level = reading_.spelled(last);
+    const std::string size = fmt::format("max(textureSize({},0)>>{},1)", token(first).text, level);
+    const std::string offset = has_offset ? reading_.spelled(arguments[3]) : "";
     hand_through(SiteKind::index, close_spelling(reading_, {call.name, call.brackets.end}),
                  call.name, place, "glint0_t",
-                 fmt::format(",max(textureSize({},0)>>{},1)", token(first).text, level));
+                 has_offset ? fmt::format(",{},{}", size, offset) : "," + size);
     if (level == "0") return;
     // Of a level that there is not, drivers tell a size of 0.
     hand_through(SiteKind::index, fmt::format("level {} of {}", level, token(first).text),

@@ -31,7 +31,8 @@ const char* survey_of(ProbeKind kind) {
         return "if (glint0_place.w > 0) { glint0_id = (glint0_ask.x + cell.x + 37 * "
                "cell.y) % glint0_place.w; glint0_mends = glint0_ask.y != 0; "
                "if (glint0_ask.y == 2) { glint0_scale = 7e-9; glint0_inside = -0.99; } "
-               "if (glint0_ask.y == 3) { glint0_scale = 7e9; glint0_inside = 0.99; } }";
+               "if (glint0_ask.y == 3) { glint0_scale = 7e9; glint0_inside = 0.99; } "
+               "if (glint0_ask.y == 4) { glint0_side = -1.0; glint0_inside = -0.37; } }";
     if (kind == ProbeKind::rounding)
         return "glint0_chance = uint(glint0_last) * 747796405u + uint(cell.x + 4096 * cell.y);\n"
                "    if (glint0_id == -3) glint0_coord.xy = "

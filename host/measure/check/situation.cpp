@@ -76,9 +76,16 @@ std::string where_words(const Situation& situation, const CheckSubject& subject)
     }
     if (situation.time != opened.time) add(fmt::format("time {:.4g}", situation.time));
     if (situation.events == opened.events) return words;
-    for (const Event& event : situation.events)
-        add(event.key < 0 ? fmt::format("mouse {:.3g},{:.3g}", event.mouse.x, event.mouse.y)
-                          : "key " + key_name(event.key));
+    const Event* mouse = nullptr;  // where it is in the end
+    for (const Event& event : situation.events) {
+        if (event.key < 0)
+            mouse = &event;
+        else
+            add("key " + key_name(event.key));
+    }
+    if (mouse)
+        add(fmt::format("mouse {:.3g},{:.3g}{}", mouse->mouse.x, mouse->mouse.y,
+                        mouse->down ? "" : " released"));
     return words;
 }
 

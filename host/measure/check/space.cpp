@@ -18,6 +18,28 @@ constexpr std::size_t kMostOfMenus = 8;  // sets for the middle entries of menus
 // The usual number of pixels. The shorter side gives way, so that no point is dearer than others.
 constexpr double kMostPixels = 3.0;
 
+// What a hand has done with the mouse: by it `iMouse.zw` has all its signs, and other places than
+// `iMouse.xy`.
+enum class Hand { clicks, holds, drags, lets_go };
+constexpr std::size_t kHands = 4, kButton = 2;  // the third number of the mouse, as shares
+constexpr const char* kHandWords[kHands] = {"", " held", " dragged", " released"};
+constexpr double kHandFrames = 3.0 / 60;  // s, which all of these need
+
+Hand hand_at(double share) {
+    return static_cast<Hand>(std::min(static_cast<std::size_t>(share * kHands), kHands - 1));
+}
+
+// Up to the end of the frame at `time`.
+std::vector<Event> mouse_events(Hand hand, glm::dvec2 place, double time) {
+    const glm::dvec2 from = hand == Hand::drags ? 1.0 - place : place;
+    const double begin =
+        hand == Hand::clicks ? std::max(0.0, time - 0.5 / 60) : std::max(0.0, time - kHandFrames);
+    std::vector<Event> events = {{.time = begin, .down = true, .mouse = from}};
+    if (hand == Hand::drags || hand == Hand::lets_go)
+        events.push_back({.time = begin + 1.0 / 60, .down = hand == Hand::drags, .mouse = place});
+    return events;
+}
+
 bool is_logarithmic(const Tweak& tweak, const Range& range) {
     return tweak.log && range.min > 0.0;
 }
@@ -78,9 +100,9 @@ Space::Space(const CheckSubject& subject, const std::vector<int>& keys)
         usual_.push_back(share_of_time(subject.opened().time));
     }
     if (subject.renderer().reads_mouse()) {
-        for (const std::size_t c : {0u, 1u}) {
+        for (const std::size_t c : {std::size_t{0}, std::size_t{1}, kButton}) {
             axes_.push_back({Axis::Of::mouse, 0, c});
-            usual_.push_back(0.5);
+            usual_.push_back(c == kButton ? 0.0 : 0.5);
         }
     }
     for (const int key : keys) {
@@ -144,7 +166,9 @@ std::vector<Point> Space::inputs() const {
         if (axes_[i].of == Axis::Of::time)
             for (const double time : kTimes) with({share_of_time(time)});
         if (axes_[i].of == Axis::Of::mouse && axes_[i].component == 0)
-            for (const auto& place : kPlaces) with({place[0], place[1]});
+            for (const auto& place : kPlaces)
+                for (std::size_t hand = 0; hand < kHands; ++hand)
+                    with({place[0], place[1], (static_cast<double>(hand) + 0.5) / kHands});
         if (axes_[i].of != Axis::Of::key) continue;
         with({1.0});
         all_keys[i] = 1.0;
@@ -186,7 +210,7 @@ glm::ivec2 Space::size_at(const Point& point) const {
 
 double Space::apply(const Point& point, CheckSubject& subject) const {
     double time = subject.opened().time;
-    glm::dvec2 mouse(0.5);
+    glm::dvec3 mouse(0.5, 0.5, 0.0);
     bool is_moved = false;
     std::vector<int> held;
     for (std::size_t i = 0; i < axes_.size(); ++i) {
@@ -207,7 +231,11 @@ double Space::apply(const Point& point, CheckSubject& subject) const {
         }
     }
     if (is_moved || !held.empty()) subject.preset.events.clear();
-    if (is_moved) subject.preset.events.push_back({.time = 0.0, .down = true, .mouse = mouse});
+    const Hand hand = hand_at(mouse.z);
+    if (is_moved && hand != Hand::clicks) time = std::max(time, kHandFrames);
+    if (is_moved)
+        subject.preset.events =
+            mouse_events(hand, glm::dvec2(mouse), subject.stateful() ? 0.0 : time);
     // Of a scene without a state in its one frame, so that it is seen as pressed, too.
     const double pressed = subject.stateful() ? 1.0 / 60 : std::max(0.0, time - 0.5 / 60);
     for (const int key : held)
@@ -220,7 +248,7 @@ std::string Space::words(const Point& point, const CheckSubject& subject) const 
     std::string words;
     const auto add = [&](const std::string& word) { words += (words.empty() ? "" : ", ") + word; };
     std::size_t told = SIZE_MAX;
-    glm::dvec2 mouse(0.5);
+    glm::dvec3 mouse(0.5, 0.5, 0.0);
     bool is_moved = false;
     for (std::size_t i = 0; i < axes_.size(); ++i) {
         if (point[i] == usual_[i]) continue;
@@ -239,7 +267,9 @@ std::string Space::words(const Point& point, const CheckSubject& subject) const 
     }
     if (const glm::ivec2 size = size_at(point); size != usual_size_)
         add(fmt::format("size {}x{}", size.x, size.y));
-    if (is_moved) add(fmt::format("mouse {:.3g},{:.3g}", mouse.x, mouse.y));
+    if (is_moved)
+        add(fmt::format("mouse {:.3g},{:.3g}{}", mouse.x, mouse.y,
+                        kHandWords[static_cast<std::size_t>(hand_at(mouse.z))]));
     return words.empty() ? "the preset as it is" : words;
 }
 

@@ -78,9 +78,9 @@ public:
     std::vector<ProbeCell> map(Renderer& renderer, const Frame& frame, std::size_t site, int hit,
                                int face = 0);
     // Of ProbeKind::faults: every pixel's, each watching another site, from `first` on; `mend`, 1
-    // to kMends: what is undefined gets a result all the same, a usual, a small or a large one. See
-    // probe_declarations.
-    static constexpr int kMends = 3;
+    // to kMends: what is undefined gets a result all the same, a usual, a small, a large or a
+    // negative one. See probe_declarations.
+    static constexpr int kMends = 4;
     std::vector<ProbeCell> survey(Renderer& renderer, const Frame& frame, int first, int mend,
                                   int face = 0);
     // Of ProbeKind::rounding: what is drawn where results of a site, or of those that these stand
