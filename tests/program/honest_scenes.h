@@ -25,6 +25,14 @@ inline std::vector<std::pair<std::string, std::string>> honest_scenes() {
              "* h) - y.x * w * sin(w * h), 0.0, 1.0);",
              "size=8x8 step=1/60", "uniform float k; //@ 4.0 [1, 40]\n")},
         {"sum_of_steps", fed("c = s + 0.001;", "size=8x8 step=1/60")},
+        {"clock", fed("float h = iFrame == 0 ? 12.0 : s.x; h += iTimeDelta * 0.1; "
+                      "c = vec4(h >= 24.0 ? h - 24.0 : h, 0.3, 0.0, 1.0);",
+                      "size=8x8", "",
+                      "c = vec4(vec3(0.4 - 0.3 * cos(0.2617994 * texelFetch(state, ivec2(0), "
+                      "0).x)), 1.0);")},
+        {"car", fed("float x = iFrame == 0 ? 0.5 : s.x; x += 0.003 * iTimeDelta; "
+                    "c = vec4(x > 0.9 ? 0.1 : x, 0.3, 0.0, 1.0);",
+                    "size=8x8 step=1/120")},
         {"trail", fed("vec2 at = 0.5 + 0.4 * vec2(cos(" + std::string(kTurn) + "), sin(" + kTurn +
                           ")); c = max(s * exp(-1.5 * iTimeDelta), vec4(smoothstep(0.2, 0.0, "
                           "distance(p / iResolution.xy, at))));",

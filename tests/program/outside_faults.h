@@ -249,6 +249,64 @@ inline void add_other_passes(std::vector<Planted>& list) {
         {"other/cube_hidden", cube("max(0.0, sqrt(rd.y))"), cube("sqrt(max(0.0, rd.y))")});
 }
 
+// What other words do the same by, and results of either sign, which a clamp hides.
+inline void add_other_words(std::vector<Planted>& list) {
+    const auto add = [&](const char* name, const std::string& fault, const std::string& twin,
+                         const std::string& head = "") {
+        list.push_back({std::string("words/") + name, head + image(fault), head + image(twin)});
+    };
+    const std::string cells = "vec2 v = floor(q * 4.0); float k = v.y; ";
+    add("divided_in_place", cells + "k /= v.x; c = vec4(clamp(k, 0.0, 1.0));",
+        cells + "k /= max(v.x, 1.0); c = vec4(clamp(k, 0.0, 1.0));");
+    add("component_divided_in_place", cells + "v.y /= v.x; c = vec4(k > 0.5 ? v.y : 1.0 - v.y);",
+        cells + "v.y /= v.x + 1.0; c = vec4(k > 0.5 ? v.y : 1.0 - v.y);");
+    const auto rest = [](const char* begin) {
+        return fmt::format("int n = int(9.0 * q.x) - {}; n %= 3; c = vec4(0.5 + 0.2 * float(n));",
+                           begin);
+    };
+    add("rest_in_place", rest("4"), rest("0"));
+    add("quotient_to_whole", "int n = int(8.0 / floor(q.y * 3.0)); c = vec4(float(n & 7) / 7.0);",
+        "int n = int(8.0 / floor(q.y * 3.0 + 1.0)); c = vec4(float(n & 7) / 7.0);");
+    const auto light = [](const char* way) {
+        return fmt::format(
+            "vec2 v = floor(q * 6.0) - 3.0; "
+            "c = vec4(max(0.0, dot({}, vec2(-0.6, -0.8))));",
+            way);
+    };
+    add("direction_of_nothing", light("normalize(v)"), light("v / max(length(v), 1e-3)"));
+    const std::string of = "uniform float cells; //@ 6 [0, 12]\n";
+    add("rest_of_nothing", "c = vec4(step(0.5, 0.25 * mod(8.0 * q.x, floor(cells))));",
+        "c = vec4(step(0.5, 0.25 * mod(8.0 * q.x, 1.0 + floor(cells))));", of);
+    const std::string noise = "uniform sampler2D t; //@ noise rgba 16\n";
+    add("fetch_beside", "c = texelFetchOffset(t, ivec2(q * 16.0), 0, ivec2(1, 0));",
+        "c = texelFetchOffset(t, ivec2(q * 15.0), 0, ivec2(1, 0));", noise);
+    const std::string volume = "uniform sampler3D t; //@ noise rgba 8x8x8\n";
+    add("fetch_of_a_volume", "c = texelFetch(t, ivec3(3, 3, q.x * 9.0), 0);",
+        "c = texelFetch(t, ivec3(3, 3, q.x * 8.0), 0);", volume);
+    const auto held = [](const char* sum) {
+        return fmt::format(
+            "float m = iMouse.z > 0.0 ? iMouse.y {} iMouse.w : 0.0; "
+            "c = vec4(max(0.0, sqrt(1.0 - m / iResolution.y)));",
+            sum);
+    };
+    add("mouse_held", held("-"), held("- iMouse.y + 0.0 *"));
+    const auto released = [](const char* bound) {
+        return fmt::format(
+            "float m = iMouse.z < 0.0 ? (iMouse.x - iMouse.z) * {} : 0.0; "
+            "c = vec4(max(0.0, sqrt(1.0 - m / iResolution.x)));",
+            bound);
+    };
+    add("mouse_let_go", released("1.0"), released("0.4"));
+    const auto comet = [](const char* share) {
+        return fed(fmt::format("vec2 at = 0.5 + 0.3 * vec2(cos({0}), sin({0})); "
+                               "c = max(s * {1}, vec4(smoothstep(0.05, 0.0, "
+                               "distance(p / iResolution.xy, at))));",
+                               kTurn, share),
+                   "", "", "c = texelFetch(state, ivec2(p), 0);");
+    };
+    list.push_back({"words/comet", comet("0.97"), comet("exp(-1.8 * iTimeDelta)")});
+}
+
 }  // namespace planting
 
 inline std::vector<Planted> outside_faults() {
@@ -257,6 +315,7 @@ inline std::vector<Planted> outside_faults() {
     planting::add_far_places(list);
     planting::add_situations(list);
     planting::add_other_passes(list);
+    planting::add_other_words(list);
     return list;
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 #include <optional>
@@ -15,10 +16,14 @@
 namespace glint {
 namespace {
 
-constexpr std::size_t kParts = 8;              // of a run
-constexpr std::size_t kLeastOfGrowth = 400;    // below, a rounding looks like a growth
-constexpr double kLeastGrowth = 1.02;          // from the first part to the last, of squares
-constexpr double kLeastRatio = 1.01;           // from one increase to the next
+constexpr std::size_t kCurvesOfOutput = 9;   // of each channel, their sum, the largest of each
+constexpr std::size_t kParts = 8;            // of a run
+constexpr std::size_t kLeastOfGrowth = 400;  // below, a rounding looks like a growth
+constexpr double kLeastGrowth = 1.02;        // from the first part to the last, of squares
+constexpr double kLeastRatio = 1.01;         // from one increase to the next
+// What the roots' rate has to be of that of the squares: it is half where they grow like exp(t),
+// and nothing where they grow evenly, like a place.
+constexpr double kLeastOfRoots = 0.35;
 constexpr double kUneven = 0.1, kDust = 3e-3;  // how far these ratios may fall
 
 // Numbers that come evenly, so many frames apart.
@@ -70,7 +75,7 @@ Series peaks_of(std::span<const double> values) {
 
 // The factor of a frame by which the values' increases grow, where that does not fall: then they
 // grow like exp(t), or faster, whatever is added to them. Sums and squares of time do not.
-std::optional<double> steady_factor(const Series& series) {
+std::optional<double> steady_factor(const Series& series, double least_ratio) {
     const std::vector<double>& means = series.values;
     if (means.empty() || !(means.back() > kLeastGrowth * means.front())) return std::nullopt;
     double least = std::numeric_limits<double>::infinity(), most = 0.0, fall = 0.0;
@@ -81,21 +86,26 @@ std::optional<double> steady_factor(const Series& series) {
         most = std::max(most, next / one);
         fall = std::max(fall, most - next / one);
     }
-    if (least < kLeastRatio || fall > kUneven * (most - 1.0) + kDust) return std::nullopt;
+    if (least < least_ratio || fall > kUneven * (most - 1.0) + kDust) return std::nullopt;
     return std::pow((least + most) / 2.0, 1.0 / series.apart);
 }
 
-std::optional<double> steady_factor(std::span<const double> values) {
-    if (const auto factor = steady_factor(means_of_parts(values))) return factor;
-    return steady_factor(peaks_of(values));
+std::optional<double> steady_factor(std::span<const double> values,
+                                    double least_ratio = kLeastRatio) {
+    if (const auto factor = steady_factor(means_of_parts(values), least_ratio)) return factor;
+    return steady_factor(peaks_of(values), least_ratio);
 }
 
 // The same of the values whose squares these are. With what is added in every frame it is they that
 // grow steadily, and with a state of many parts their squares.
 std::optional<double> factor_of_values(std::span<const double> squares) {
-    if (const auto factor = steady_factor(squares)) return std::sqrt(*factor);
     std::vector<double> roots(squares.begin(), squares.end());
     for (double& value : roots) value = std::sqrt(value);
+    if (const auto factor = steady_factor(squares)) {
+        const auto of_roots = steady_factor(roots, 1.0);
+        if (of_roots && std::log(*of_roots) > kLeastOfRoots * std::log(*factor))
+            return std::sqrt(*factor);
+    }
     return steady_factor(roots);
 }
 
@@ -136,12 +146,9 @@ void StateCurves::add(const CheckSubject& subject) {
                 most[k % 4] = std::max(most[k % 4], square);
             }
             const double texels = std::max(static_cast<double>(values.size()) / 4.0, 1.0);
-            double sum = 0.0;
-            for (std::size_t c = 0; c < 4; ++c) {
+            for (std::size_t c = 0; c < 4; ++c)
                 put(names[output] + "." + "xyzw"[c], squares[c] / texels);
-                sum += squares[c] / texels;
-            }
-            put(names[output], sum);
+            put(names[output], 0.0);  // see sum_of_moving()
             // What grows in one place is nothing beside all others.
             for (std::size_t c = 0; c < 4; ++c)
                 put("the largest of " + names[output] + "." + "xyzw"[c], most[c]);
@@ -151,9 +158,28 @@ void StateCurves::add(const CheckSubject& subject) {
     signed_.push_back(largest);
 }
 
+// Of the four curves before this one, those that change; of one alone nothing, for it stands there.
+std::vector<double> StateCurves::sum_of_moving(std::size_t index) const {
+    constexpr std::ptrdiff_t kBegun = 8;  // frames, after which all have their first values
+    if (frames() < kLeastOfGrowth) return {};
+    std::vector<double> sum(frames());
+    int moving = 0;
+    for (std::size_t c = index - 4; c < index; ++c) {
+        const std::vector<double>& means = curves_[c].means;
+        const auto [least, most] = std::minmax_element(means.begin() + kBegun, means.end());
+        if (*least == *most) continue;
+        ++moving;
+        std::ranges::transform(sum, means, sum.begin(), std::plus());
+    }
+    return moving > 1 ? sum : std::vector<double>();
+}
+
 std::string StateCurves::growth(std::size_t from) const {
-    for (const Curve& curve : curves_) {
-        const auto values = without_start(std::span(curve.means).subspan(std::min(from, frames())));
+    for (std::size_t i = 0; i < curves_.size(); ++i) {
+        const Curve& curve = curves_[i];
+        const bool is_sum = i % kCurvesOfOutput == 4;
+        const std::vector<double> means = is_sum ? sum_of_moving(i) : curve.means;
+        const auto values = without_start(std::span(means).subspan(std::min(from, means.size())));
         if (values.size() < kLeastOfGrowth) continue;
         const auto factor = factor_of_values(values);
         if (!factor) continue;

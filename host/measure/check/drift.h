@@ -33,6 +33,7 @@ public:
 
 private:
     std::size_t unchanged() const;
+    std::vector<double> sum_of_moving(std::size_t index) const;
 
     struct Curve {
         std::string name;           // of what: "waves.x", "waves"

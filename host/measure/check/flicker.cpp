@@ -96,10 +96,26 @@ std::vector<double> state_means(const CheckSubject& subject) {
     return means;
 }
 
+// Of what is fed back as many texels as tell of all.
+std::vector<float> state_texels(const CheckSubject& subject) {
+    constexpr std::size_t kMost = 65536;  // of a buffer
+    std::vector<float> texels;
+    const auto& passes = subject.renderer().graph().passes;
+    for (std::size_t i = 0; i < passes.size(); ++i) {
+        if (!subject.is_fed_back(i)) continue;
+        const std::vector<float> values = subject.renderer().read_buffer(i, 0);
+        const std::size_t step = 1 + values.size() / 4 / kMost;
+        for (std::size_t k = 0; k + 3 < values.size(); k += 4 * step)
+            texels.insert(texels.end(), {values[k], values[k + 1], values[k + 2], values[k + 3]});
+    }
+    return texels;
+}
+
 struct Shown {
     std::vector<float> last{}, before{};  // blurred
     std::vector<glm::dvec3> tiles{};      // their mean light
     std::vector<double> state{};
+    std::vector<float> texels{};
 };
 
 // At 60, 120 and 240 Hz.
@@ -114,6 +130,7 @@ bool show_at_rate(CheckSubject& subject, int from, double met, double fps, Shown
     shown.last = blurred(subject.picture(), subject.preset.size);
     shown.tiles = tile_colours(subject.picture(), subject.preset.size);
     shown.state = state_means(subject);
+    shown.texels = state_texels(subject);
     return true;
 }
 
@@ -163,25 +180,49 @@ bool is_added_by_frames(const Rates& shown, double met) {
 }
 
 // What is multiplied by a share in every frame, however long it is, has the square of it at twice
-// the rate, of which again the square is left at twice that, and shows.
+// the rate, of which again the square is left at twice that.
+bool is_squared(double slow, double middle, double fast) {
+    constexpr double kOfSquare = 0.25;
+    return middle > 0.0 && fast > 0.0 &&
+           std::abs(std::log(fast / middle) / std::log(middle / slow) - 2.0) < kOfSquare;
+}
+
+constexpr double kFadedTo = 0.85;
+
+// All of it together, where it is much of the picture.
 bool fades_by_frames(const Rates& shown) {
-    constexpr double kLight = 0.01, kFadedTo = 0.85, kOfSquare = 0.25;
-    const auto is_seen = [&](std::size_t tile) {
-        return glm::length(shown[1].tiles[tile] - shown[0].tiles[tile]) > kLight;
-    };
+    constexpr double kLight = 0.01;
     bool any_seen = false, any_squared = false;
-    for (std::size_t i = 0; i < shown[0].tiles.size(); ++i) any_seen |= is_seen(i);
+    for (std::size_t i = 0; i < shown[0].tiles.size(); ++i)
+        any_seen |= glm::length(shown[1].tiles[i] - shown[0].tiles[i]) > kLight;
     for (std::size_t i = 0; i < shown[0].state.size(); ++i) {
-        const double coarse = shown[1].state[i] / shown[0].state[i];
-        const double fine = shown[2].state[i] / shown[1].state[i];
-        any_squared |= coarse > 0.0 && coarse < kFadedTo && fine > 0.0 &&
-                       std::abs(std::log(fine) / std::log(coarse) - 2.0) < kOfSquare;
+        const double slow = shown[0].state[i], middle = shown[1].state[i];
+        any_squared |= middle < kFadedTo * slow && is_squared(slow, middle, shown[2].state[i]);
     }
     return any_seen && any_squared;
 }
 
+// Most of what fades, texel by texel, such as what a small thing that moves leaves behind.
+bool leaves_fade_by_frames(const Rates& shown) {
+    constexpr double kMark = 0.05, kMost = 0.6, kOfLargest = 0.02;
+    constexpr std::size_t kLeast = 32;
+    if (largest_off(shown[0].last, shown[1].last) < kMark) return false;
+    const std::vector<float>& slow = shown[0].texels;
+    if (slow.empty()) return false;
+    const double least = kOfLargest * static_cast<double>(std::ranges::max(slow));
+    std::size_t faded = 0, squared = 0;
+    for (std::size_t i = 0; i < slow.size(); ++i) {
+        const double here = static_cast<double>(slow[i]);
+        const double middle = static_cast<double>(shown[1].texels[i]);
+        if (!(here > least) || !(middle < kFadedTo * here)) continue;
+        ++faded;
+        squared += is_squared(here, middle, static_cast<double>(shown[2].texels[i]));
+    }
+    return squared >= kLeast && static_cast<double>(squared) > kMost * static_cast<double>(faded);
+}
+
 void find_fading(const Rates& shown, double met, CaseResult& result) {
-    if (fades_by_frames(shown))
+    if (fades_by_frames(shown) || leaves_fade_by_frames(shown))
         result.fail(fmt::format(
             "something fades by a share in every frame, however long it is: after {} s twice the "
             "rate leaves the square of it; mix by 1.0 - exp(-rate * iTimeDelta), or use step=",
