@@ -157,8 +157,14 @@ std::string said_better(std::string complaint) {
         return "this is no function; write an operator, such as *, between it and the '(' behind "
                "it";
     if (complaint.starts_with("C-style initialization requires"))
-        return "GLSL ES has no lists in braces; write the array's type and its values, such as "
-               "float[](1.0, 2.0)";
+        return "GLSL ES has no lists in braces; write the type and its values, such as "
+               "float[](1.0, 2.0), or Ray(\u2026) of a struct";
+    if (complaint.starts_with("length method on matrix"))
+        return "an array tells its number by .length(); how long a vector is tells length(v)";
+    constexpr std::string_view kMethod = "unknown method: `";
+    if (complaint.starts_with(kMethod))
+        return fmt::format("GLSL has no methods; write {}(\u2026) of what stands before the '.'",
+                           complaint.substr(kMethod.size(), complaint.size() - kMethod.size() - 1));
     return complaint;
 }
 
@@ -279,6 +285,8 @@ std::string advice_on_types(std::string_view complaint) {
     if (complaint.ends_with("HS of `^' must be an integer")) return "; a power is pow(a, b)";
     if (complaint.ends_with("of operator % must be an integer"))
         return "; of floats mod(a, b) is left";
+    if (complaint.starts_with("initializer of global variable `"))
+        return "; give it its value in a function";
     const auto known = std::ranges::find_if(
         kWhatToDo, [&](const Foreign& one) { return complaint.ends_with(one.first); });
     if (known != std::end(kWhatToDo)) return std::string(known->second);

@@ -308,6 +308,37 @@ std::optional<Diagnostic> ReadText::mistyped_directive(const Spot& spot) const {
                       fmt::format("'#{}' is no directive; did you mean '#{}'?", word, meant)};
 }
 
+// The first `#elsif` or `#ifdeff` behind this place: in a part that is left out Mesa takes either
+// for what it begins with, and then misses an end.
+std::optional<Diagnostic> ReadText::mistyped_behind(std::size_t at) const {
+    for (; at < pass_.user_end; at = pass_.text.find('\n', at) + 1) {
+        const std::size_t begin = pass_.text.find_first_not_of(" \t", at);
+        if (begin != std::string::npos && pass_.text[begin] == '#')
+            if (auto mistyped = mistyped_directive(Spot{begin})) return mistyped;
+        if (pass_.text.find('\n', at) == std::string::npos) break;
+    }
+    return std::nullopt;
+}
+
+// `#define sq (x) ((x) * (x))`, and then `sq(2.0)`: the macro takes no arguments.
+std::optional<Diagnostic> ReadText::spaced_macro(const Spot& spot) const {
+    if (spot.use == kNone || spot.token >= read_.tokens.size()) return std::nullopt;
+    const Macro& macro = read_.macros[read_.uses[spot.use].macro];
+    const auto& body = macro.body;
+    const bool has_list = body.size() > 3 && body[0].is("(") && body[1].is_word() &&
+                          (body[2].is(")") || body[2].is(","));
+    const std::size_t behind = read_.uses[spot.use].span.end;
+    if (macro.takes_arguments || !has_list || !pass_.origin(body[0].begin) ||
+        behind >= pass_.text.size() || pass_.text[behind] != '(')
+        return std::nullopt;
+    const Place defined = place(body[0].begin);
+    return Diagnostic{Severity::error, place(spot.at),
+                      fmt::format("this is no function: the macro {0} takes no arguments, for in "
+                                  "its #define a space stands before the '('; take it out "
+                                  "({1}:{2}:{3})",
+                                  macro.name, defined.file, defined.line, defined.column)};
+}
+
 // Where on its line the macro stands that an #if asks for, of which Mesa names the line's end.
 std::size_t ReadText::named_on_line(std::size_t at, std::string_view words) const {
     words.remove_prefix(kUndefinedMacro.size());
@@ -353,6 +384,13 @@ Diagnostic ReadText::complaint(Said said) const {
         words = kTextEnds;
         spot.token = tokens_as_written(read_, pass_).size();
     }
+    const std::size_t hash = pass_.text.rfind('#', spot.at);
+    if (words.ends_with(kConditionBehind) && hash != std::string::npos &&
+        pass_.text.compare(hash, 6, "#undef") == 0)
+        words.erase(words.size() - kConditionBehind.size());
+    if (said_words == "Unterminated #if")
+        if (auto mistyped = mistyped_behind(spot.at)) return *mistyped;
+    if (auto spaced = spaced_macro(spot)) return *spaced;
     if (words == "extra tokens at end of directive")
         if (auto mistyped = mistyped_directive(spot)) return *mistyped;
     if (spot.at >= pass_.user_end || words.starts_with("this is not expected here"))
@@ -543,10 +581,14 @@ std::string ReadText::meant_by(std::string_view mistyped, std::size_t at, bool i
                               read_.tokens[at + 1].is(";") &&
                               may_declare_behind(read_.tokens[at - 1].text);
     if (is_statement) names.insert({"break", "continue", "discard", "return"});
-    if (is_called)
+    if (is_called) {
         std::ranges::for_each(built_in_functions(), add);
-    else
+        for (const char* type : {"float", "int", "uint", "bool", "vec2", "vec3", "vec4", "ivec2",
+                                 "ivec3", "ivec4", "mat2", "mat3", "mat4"})
+            add(type);
+    } else {
         for (const char* name : {"gl_FragCoord", "gl_FrontFacing", "gl_PointCoord"}) add(name);
+    }
     return did_you_mean(mistyped, std::vector<std::string>(names.begin(), names.end()));
 }
 

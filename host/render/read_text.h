@@ -63,6 +63,8 @@ public:
 private:
     std::string help_with_size(const Spot& spot) const;
     std::optional<Diagnostic> mistyped_directive(const Spot& spot) const;
+    std::optional<Diagnostic> mistyped_behind(std::size_t at) const;
+    std::optional<Diagnostic> spaced_macro(const Spot& spot) const;
     Spot with_macro_of_operator(Spot spot) const;
     std::size_t named_on_line(std::size_t at, std::string_view words) const;
     bool compares_twice(const Spot& spot) const;

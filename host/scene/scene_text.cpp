@@ -240,6 +240,12 @@ std::string about_strange(const Reading& reading, const Token& token) {
         return "GLSL has no `; take out what a text had round it where it was copied";
     const auto lead = static_cast<unsigned char>(token.text.front());
     if (lead < 0x20) return fmt::format("GLSL has no control character {}; take it out", lead);
+    if (token.text == "\\") {
+        const std::size_t next = reading.text.find_first_not_of(" \t\r", token.end);
+        if (next < reading.text.size() && reading.text[next] == '\n')
+            return "a line goes on behind a '\\' at its very end alone: take out the spaces behind "
+                   "it";
+    }
     if (lead < 0x80) return fmt::format("GLSL has no {}; take it out", in_quotes(token.text));
     char32_t code = lead & (0x7F >> token.text.size());
     for (const char c : token.text.substr(1)) code = code << 6 | (c & 0x3F);
