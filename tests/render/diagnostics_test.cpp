@@ -548,7 +548,7 @@ TEST_F(Complaints, SayWhatToDo) {
         {told("c.x = p.length();"), "how long a vector is tells length(v)"},
         {told("c.xy = p.normalize();"), "GLSL has no methods; write normalize("},
         {told("\n#define sq (x) ((x) * (x))\nc.x = sq(0.5);"),
-         "3:9: error: this is no function: the macro sq takes no arguments, for"},
+         "3:7: error: this is no function: the macro sq takes no arguments, for"},
         {told("", "#if 0\n#elsif 1\n#endif\n"), "3:1: error: '#elsif' is no directive"},
         {told("", "#define A 1\n#undef A;\n"), "3:9: error: the line's end is expected here"},
         {told("", "float k = 1.0 / iTime;\n"), "constant expression; give it its value in a"},

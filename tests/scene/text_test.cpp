@@ -79,7 +79,8 @@ TEST(OddText, ACharacterThatGlslDoesNotHaveIsAnErrorAtItsPlace) {
         {"float $a;\n", "a.frag:1:7: error: GLSL has no '$'"},
         {"float gr\xFC = 1.0;\n", "a.frag:1:9: error: this byte is not UTF-8"},
         {"float a = 1.0;\x1A\n", "a.frag:1:15: error: GLSL has no control character 26"},
-        {"#define F(x) \\ \n (x)\n", "a.frag:1:14: error: a line goes on behind a '\\' at its"},
+        {"#define F(x) \\ \n\nfloat a = F(1.0);\n",
+         "a.frag:1:14: error: a line goes on behind a '\\' at its"},
     };
     for (const auto& c : cases) {
         const ReadScene result = read(c.text + kImage);
