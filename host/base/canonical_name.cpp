@@ -1,5 +1,7 @@
 #include "base/canonical_name.h"
 
+#include "base/words.h"
+
 #include <system_error>
 
 namespace glint {
@@ -10,6 +12,10 @@ std::filesystem::path canonical_name(const std::filesystem::path& file) {
     if (error) return file;
     std::filesystem::path name = std::filesystem::weakly_canonical(full, error);
     return error ? full.lexically_normal() : name;
+}
+
+std::string ending_of(const std::filesystem::path& file) {
+    return in_small_letters(file.extension().string());
 }
 
 }  // namespace glint

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 namespace glint {
 
@@ -9,5 +10,8 @@ namespace glint {
 // current folder goes. Of what cannot be followed, such as a loop of links, the name as it stands.
 // Throws nothing.
 std::filesystem::path canonical_name(const std::filesystem::path& file);
+
+// What a file's name ends with, in small letters: ".toml"; "" for nothing.
+std::string ending_of(const std::filesystem::path& file);
 
 }  // namespace glint

@@ -72,20 +72,13 @@ std::string in_quotes(std::string_view words) {
     return fmt::format("'{}'", harmless(std::move(text), ' '));
 }
 
-// A capital is no other letter.
-static std::string in_small_letters(std::string_view word) {
-    std::string small(word);
-    std::ranges::transform(small, small.begin(), [](unsigned char c) { return std::tolower(c); });
-    return small;
-}
-
 std::string nearest(std::string_view word, std::span<const std::string> known) {
     constexpr std::size_t kLongestWord = 64;
     constexpr std::size_t kMostWords = 1000;  // beyond that a guess costs more than it helps
     if (word.empty() || word.size() > kLongestWord || known.size() > kMostWords) return {};
     std::size_t best_distance = (word.size() + 2) / 3 + 1;
     std::string best;
-    const std::string small = in_small_letters(word);
+    const std::string small = in_small_letters(word);  // a capital is no other letter
     for (const std::string& candidate : known) {
         if (candidate.size() > kLongestWord) continue;
         const std::size_t distance = edit_distance(small, in_small_letters(candidate));

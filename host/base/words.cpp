@@ -97,6 +97,13 @@ std::string shell_file(const std::string& name) {
     return shell_word(name.starts_with('-') ? "./" + name : name);
 }
 
+std::string in_small_letters(std::string_view text) {
+    std::string small(text);
+    for (char& c : small)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return small;
+}
+
 std::size_t find_whole_word(std::string_view text, std::string_view word, std::size_t from) {
     const auto is_letter = [&](std::size_t at) {
         return at < text.size() &&

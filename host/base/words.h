@@ -36,6 +36,9 @@ std::string shell_file(const std::string& name);
 // direction of text.
 std::string harmless(std::string_view text, char instead, std::string_view kept = "");
 
+// With ASCII's capitals made small.
+std::string in_small_letters(std::string_view text);
+
 // Without the white space at both ends.
 std::string_view trimmed(std::string_view text);
 

@@ -1,5 +1,6 @@
 #include "media/film.h"
 
+#include "base/canonical_name.h"
 #include "base/launch.h"
 
 #include <fcntl.h>
@@ -59,10 +60,7 @@ constexpr Kind kKinds[] = {
 };
 
 const Kind* kind_of(const fs::path& file) {
-    std::string extension = file.extension().string();
-    std::ranges::transform(extension, extension.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    const auto* found = std::ranges::find(kKinds, extension, &Kind::extension);
+    const auto* found = std::ranges::find(kKinds, ending_of(file), &Kind::extension);
     return found == std::end(kKinds) ? nullptr : found;
 }
 

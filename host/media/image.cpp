@@ -1,6 +1,7 @@
 // Chooses how a file is written by its name and how it is read by its first bytes.
 #include "media/image.h"
 
+#include "base/canonical_name.h"
 #include "base/names.h"
 #include "base/readable_file.h"
 #include "media/codecs.h"
@@ -59,9 +60,7 @@ bool has_floats(Codec codec) {
 
 // As its name says.
 std::optional<Codec> codec_of(const fs::path& file) {
-    std::string name = file.extension().string();
-    for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return kExtensions.find(name);
+    return kExtensions.find(ending_of(file));
 }
 
 std::size_t bytes_per_value(ChannelType type) {

@@ -1,5 +1,6 @@
 #include "media/sound.h"
 
+#include "base/canonical_name.h"
 #include "base/module.h"
 #include "base/readable_file.h"
 #include "base/temporary_file.h"
@@ -57,14 +58,14 @@ Sound read_sound(const fs::path& file) {
 }
 
 bool can_write_sound(const fs::path& file) {
-    const fs::path extension = file.extension();
-    return extension == ".wav" || extension == ".flac" || extension == ".ogg";
+    const std::string ending = ending_of(file);
+    return ending == ".wav" || ending == ".flac" || ending == ".ogg";
 }
 
 SoundWriter::SoundWriter(int descriptor, const fs::path& name) {
     std::array<char, 512> cause{};
-    writer_ = module().open(descriptor, name.extension().string().substr(1).c_str(), cause.data(),
-                            cause.size());
+    writer_ =
+        module().open(descriptor, ending_of(name).substr(1).c_str(), cause.data(), cause.size());
     if (!writer_) throw cannot_write(name, cause.data());
 }
 

@@ -3,6 +3,7 @@
 #include "base/json_text.h"
 #include "base/say.h"
 #include "base/temporary_file.h"
+#include "base/words.h"
 #include "gl/context.h"
 #include "glsl/edits.h"
 #include "glsl/raw_text.h"
@@ -62,7 +63,8 @@ private:
     std::vector<GraphPass> drawn_passes() const;
     void write_all(const fs::path& folder, const std::vector<std::string>& texts);
     void warn_of_others(const fs::path& folder);
-    void require_unedited(const std::vector<NamedFile>& outputs) const;
+    void require_unedited(const std::vector<NamedFile>& outputs,
+                          const std::vector<std::string>& texts) const;
     void find_tabs();
     void warn_of_order();
     const PassProgram& program_of(const Tab& tab) const;
@@ -387,6 +389,22 @@ std::string with_sampler_named(const std::string& text, const Known& known, std:
     return edits.apply().text;
 }
 
+// Behind the lines that an earlier export put before a tab's text, which has come back since.
+std::size_t end_of_heads(std::string_view text) {
+    std::size_t end = 0;
+    for (std::size_t next = 0; next < text.size();) {
+        const std::size_t after = std::min(text.find('\n', next), text.size() - 1) + 1;
+        const std::string_view line = trimmed(text.substr(next, after - next));
+        constexpr std::string_view kHead = "// iChannel";
+        const bool is_head = line.starts_with(kHead) &&
+                             (line.ends_with(", clamp") || line.ends_with(", repeat"));
+        if (!line.empty() && !is_head) break;
+        next = after;
+        if (is_head) end = next;
+    }
+    return end;
+}
+
 std::string Exporter::tab_text(const Tab& tab) {
     const Known known = known_of_pass(output_names(scene_, tab.pass));
     std::string head, defines, body = site_text(preset_, tab.pass).text;
@@ -402,6 +420,9 @@ std::string Exporter::tab_text(const Tab& tab) {
         else if (!sampler.name.starts_with("iChannel"))
             defines += fmt::format("#define {} iChannel{}\n", sampler.name, i);
     }
+    body.erase(0, end_of_heads(body));
+    body.erase(body.find_last_not_of('\n') + 1);
+    body += '\n';
     const Reading reading = read_glsl(body, known);
     defines += unread_defines(reading, channels);
     defines += unfilled_defines(tab, channels);
@@ -510,13 +531,19 @@ void Exporter::write(const fs::path& folder) {
     for (const Tab& tab : tabs_)
         outputs.push_back({"-o", (folder / (tab.name + ".glsl")).string()});
     require_apart(outputs, files_read_for(preset_));
-    require_unedited(outputs);
     texts.push_back(json_text(shader) + "\n");
+    require_unedited(outputs, texts);
     write_all(folder, texts);
 }
 
-// What stands there is replaced where an export left it so, as its shadertoy.json tells.
-void Exporter::require_unedited(const std::vector<NamedFile>& outputs) const {
+// What stands there is replaced where an export left it so, as its shadertoy.json tells, or as this
+// one would. `texts`: the tabs', and that of shadertoy.json, which is the first of the outputs.
+void Exporter::require_unedited(const std::vector<NamedFile>& outputs,
+                                const std::vector<std::string>& texts) const {
+    const auto text_of = [&](const NamedFile& output) {
+        const auto index = static_cast<std::size_t>(&output - outputs.data());
+        return index == 0 ? texts.back() : texts[index - 1];
+    };
     std::set<std::string> codes;
     std::string why_not;
     try {
@@ -529,10 +556,9 @@ void Exporter::require_unedited(const std::vector<NamedFile>& outputs) const {
     for (const NamedFile& output : outputs) {
         std::error_code unknown;
         if (fs::symlink_status(output.name, unknown).type() != fs::file_type::regular) continue;
-        const bool is_kept = &output == &outputs.front()
-                                 ? !codes.empty()
-                                 : codes.contains(read_bytes(output.name, why_not).value_or(""));
-        if (!is_kept)
+        const std::string there = read_bytes(output.name, why_not).value_or("");
+        const bool is_left = &output == &outputs.front() ? !codes.empty() : codes.contains(there);
+        if (!is_left && there != text_of(output))
             throw cannot_write(output.name,
                                "it is there already, and somebody may have worked on it; name "
                                "another folder, or move it away");

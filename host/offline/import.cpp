@@ -1,5 +1,6 @@
 #include "offline/import.h"
 
+#include "base/canonical_name.h"
 #include "base/say.h"
 #include "base/temporary_file.h"
 #include "base/terminal.h"
@@ -75,7 +76,7 @@ void confine(std::vector<fs::path>& scenes, const ImportOptions& options,
 }  // namespace
 
 std::vector<fs::path> import_shadertoys(const ImportOptions& options, Diagnostics& diagnostics) {
-    if (options.output.extension() != ".frag") {
+    if (ending_of(options.output) != ".frag") {
         throw UsageError(fmt::format("A scene file ends with .frag; name one behind -o, such as {}",
                                      fs::path(options.output).replace_extension(".frag").string()));
     }
@@ -102,7 +103,7 @@ std::vector<fs::path> import_shadertoys(const ImportOptions& options, Diagnostic
 
 bool is_shadertoy(const fs::path& file) {
     std::error_code error;
-    return file.extension() == ".json" ||
+    return ending_of(file) == ".json" ||
            (fs::is_directory(file, error) && is_shadertoy_folder(file));
 }
 

@@ -1,5 +1,6 @@
 #include "offline/new_scene.h"
 
+#include "base/canonical_name.h"
 #include "base/temporary_file.h"
 #include "offline/common.h"
 
@@ -19,7 +20,7 @@ fs::path write_new_scene(const fs::path& file, std::string_view from) {
     fs::path scene = file;
     if (!file.has_filename() || file.filename() == "." || file.filename() == "..")
         throw UsageError("Name the new scene, such as rings.frag.");
-    if (scene.extension() != ".frag") scene += ".frag";
+    if (ending_of(scene) != ".frag") scene += ".frag";
     if (is_taken(scene)) throw cannot_write(scene, "it is there already; name another file");
     write_whole_file(scene, std::as_bytes(std::span(chosen->text)));
     return scene;

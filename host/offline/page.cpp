@@ -1,5 +1,6 @@
 #include "offline/page.h"
 
+#include "base/canonical_name.h"
 #include "base/json_text.h"
 #include "base/markup.h"
 #include "base/say.h"
@@ -91,8 +92,7 @@ std::string body_classes(const Preset& preset, bool has_controls, bool reads_mou
 }  // namespace
 
 bool is_page(const std::filesystem::path& output) {
-    std::string ending = output.extension().string();
-    std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
+    const std::string ending = ending_of(output);
     return ending == ".html" || ending == ".htm";
 }
 

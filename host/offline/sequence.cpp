@@ -1,5 +1,6 @@
 #include "offline/sequence.h"
 
+#include "base/canonical_name.h"
 #include "base/hash.h"
 #include "base/json_text.h"
 #include "base/say.h"
@@ -65,6 +66,17 @@ Target target_of(const SequenceOptions& options) {
         throw UsageError(
             "--from-pictures joins pictures to a film; name it .mp4, .webm, .mov or .gif, or - for "
             "raw frames on stdout.");
+    }
+    if (!options.from_pictures.empty() && !begins_with_metadata(options.from_pictures)) {
+        throw UsageError(
+            "--from-pictures needs pictures that tell what they were made from: png, or exr to be "
+            "looked through.");
+    }
+    if (!options.from_pictures.empty() && !output.empty() &&
+        ending_of(options.from_pictures) != ".png") {
+        throw UsageError(
+            "--from-pictures joins png pictures; draw them so, as in --from-pictures "
+            "frames/%06d.png.");
     }
     if (target == Target::pictures && (!is_numbered || !can_write(output))) {
         throw UsageError(
@@ -384,7 +396,7 @@ void join_pictures(const SequenceOptions& options, Target target, const Preset& 
     for (std::int64_t i = 0; i < frames.count && !options.output.empty(); ++i) {
         const Image image = read_image(pictures.name(frames[i]));
         if (image.type != ChannelType::u8 || image.channels != 3) {
-            throw std::runtime_error("A film is joined from png pictures.");
+            throw std::runtime_error("A film is joined from pictures of three times 8 bits.");
         }
         film ? film->write(image) : write_to_stdout(image);
         progress.update(i + 1);

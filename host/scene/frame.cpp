@@ -1,6 +1,8 @@
 // Time, mouse and keys by the site's rules.
 #include "scene/frame.h"
 
+#include "base/words.h"
+
 #include <algorithm>
 #include <charconv>
 #include <chrono>
@@ -43,9 +45,7 @@ double pixel(double fraction, int pixels) {
 }  // namespace
 
 int key_code(std::string_view name) {
-    std::string lower(name.substr(0, 16));
-    for (char& c : lower)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    const std::string lower = in_small_letters(name.substr(0, 16));
     if (lower.size() == 1 && lower[0] >= 'a' && lower[0] <= 'z') return lower[0] - 'a' + 65;
     if (lower.size() == 1 && lower[0] >= '0' && lower[0] <= '9') return lower[0] - '0' + 48;
     for (const NamedKey& key : kNamedKeys)

@@ -1,6 +1,7 @@
 // Reading a preset.
 #include "scene/preset.h"
 
+#include "base/canonical_name.h"
 #include "base/words.h"
 #include "glsl/raw_text.h"
 #include "scene/annotation.h"
@@ -568,7 +569,7 @@ void read_bare_scene(const fs::path& file, ReadPreset& result) {
 }  // namespace
 
 bool is_preset(const fs::path& file) {
-    return file.extension() == ".toml";
+    return ending_of(file) == ".toml";
 }
 
 ReadPreset read_preset(const fs::path& file) {

@@ -1,6 +1,7 @@
 // A scene file becomes plain data: its uniforms are matched with their annotations.
 #include "scene/scene.h"
 
+#include "base/canonical_name.h"
 #include "base/words.h"
 #include "glsl/reading.h"
 #include "glsl/source_text.h"
@@ -575,7 +576,7 @@ Place Scene::place_at(std::size_t offset) const {
 
 ReadScene read_scene(const std::filesystem::path& file) {
     ReadScene result;
-    const bool is_json = file.extension() == ".json";
+    const bool is_json = ending_of(file) == ".json";
     SourceText source = is_json ? imported_source(file, result.diagnostics)
                                 : read_source(file, known_of_scene(), result.diagnostics);
     result.files = source.files;

@@ -1,6 +1,8 @@
 // Reading shaders of the site.
 #include "scene/shadertoy.h"
 
+#include "base/canonical_name.h"
+#include "base/words.h"
 #include "glsl/raw_text.h"
 
 #include <fmt/format.h>
@@ -35,11 +37,6 @@ bool draws_or_sounds(const Shadertoy& shader) {
     });
 }
 
-std::string lower(std::string text) {
-    for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    return text;
-}
-
 // A member as text, whether it is written as a string, a number or a truth value. Lists and objects
 // are none: they may be nested deeper than a stack holds.
 std::string word(const Json& object, std::string_view key) {
@@ -71,7 +68,7 @@ std::string known_tab(std::string_view id) {
 // "Buffer A", "Buf A", "buf_a", "BufferA" → bufferA; empty for other names.
 std::string tab_of_name(std::string_view name) {
     std::string letters;
-    for (const char c : lower(std::string(name)))
+    for (const char c : in_small_letters(name))
         if (c >= 'a' && c <= 'z') letters += c;
     if (letters == "common" || letters == "image" || letters == "sound") return letters;
     if (letters == "main") return "image";
@@ -86,7 +83,7 @@ std::string tab_of_name(std::string_view name) {
 
 // By what it puts out where that is known, then by its name.
 std::string tab_name(const Json& pass) {
-    const std::string kind = lower(word(pass, "type"));
+    const std::string kind = in_small_letters(word(pass, "type"));
     if (kind == "common" || kind == "sound" || kind == "image") return kind;
     if (kind == "cubemap") return "cubeA";
     const Json& outputs = member(pass, "outputs");
@@ -105,7 +102,7 @@ ShadertoyInput read_input(const Json& json, const std::map<std::string, std::str
     ShadertoyInput input;
     const std::string channel = word(json, "channel");
     input.channel = channel.size() == 1 ? channel[0] - '0' : -1;
-    input.kind = lower(word(json, "ctype", "type"));
+    input.kind = in_small_letters(word(json, "ctype", "type"));
     input.file = word(json, "src", "filepath");
     const std::string id = word(json, "id");
     if (input.kind == "buffer" || input.kind == "cubemap") {
@@ -118,9 +115,9 @@ ShadertoyInput read_input(const Json& json, const std::map<std::string, std::str
                 std::string("buffer") + static_cast<char>('A' + (input.file[at + 8] - '0') % 4);
     }
     const Json& sampler = member(json, "sampler");
-    input.filter = lower(word(sampler, "filter"));
-    input.wrap = lower(word(sampler, "wrap"));
-    if (const std::string vflip = lower(word(sampler, "vflip")); !vflip.empty())
+    input.filter = in_small_letters(word(sampler, "filter"));
+    input.wrap = in_small_letters(word(sampler, "wrap"));
+    if (const std::string vflip = in_small_letters(word(sampler, "vflip")); !vflip.empty())
         input.vflip = vflip == "true";
     return input;
 }
@@ -383,7 +380,7 @@ constexpr const char* kTabFiles =
 
 // The tab that a file of a folder is; "" for any other file.
 std::string tab_of_file(const fs::path& file) {
-    const std::string extension = lower(file.extension().string());
+    const std::string extension = ending_of(file);
     const bool is_text =
         extension == ".glsl" || extension == ".frag" || extension == ".fs" || extension == ".txt";
     return is_text ? tab_of_name(file.stem().string()) : std::string();
@@ -444,7 +441,7 @@ std::optional<Shadertoy> read_shadertoy_folder(const fs::path& folder, Diagnosti
     std::ranges::sort(files);
     for (const fs::path& file : files) {
         const std::string name = tab_of_file(file);
-        if (name.empty() && lower(file.extension().string()) == ".glsl")
+        if (name.empty() && ending_of(file) == ".glsl")
             diagnostics.push_back({Severity::warning,
                                    {file.string()},
                                    fmt::format("it is no tab, and is left out; {}", kTabFiles)});

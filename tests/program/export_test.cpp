@@ -103,6 +103,22 @@ TEST_F(Export, ChannelsAreThoseThatTheTextMeans) {
     }
 }
 
+// Another export of what has come back says no more, and one that was cut short is begun again.
+TEST_F(Export, ATextThatComesBackStaysAsLong) {
+    write("a.frag", kScene);
+    ASSERT_EQ(glint({"export", "a.frag", "-o", "out"}).code, 0);
+    ASSERT_EQ(glint({"import", "out/shadertoy.json", "-o", "once.frag"}).code, 0);
+    ASSERT_EQ(glint({"export", "once.frag", "-o", "once"}).code, 0);
+    ASSERT_EQ(glint({"import", "once/shadertoy.json", "-o", "twice.frag"}).code, 0);
+    ASSERT_EQ(glint({"export", "twice.frag", "-o", "twice"}).code, 0);
+    EXPECT_EQ(bytes("once/image.glsl"), bytes("twice/image.glsl"));
+    EXPECT_EQ(bytes("once/bufferA.glsl"), bytes("twice/bufferA.glsl"));
+    fs::remove(folder() / "twice/shadertoy.json");
+    fs::remove(folder() / "twice/bufferA.glsl");
+    const Outcome again = glint({"export", "twice.frag", "-o", "twice"});
+    EXPECT_EQ(again.code, 0) << again.err;
+}
+
 TEST_F(Export, WhatTheSiteDrawsInAnotherOrderIsTold) {
     write("a.frag",
           "uniform samplerCube sky; //@ pass mainSky\nuniform sampler2D pos; //@ pass mainStep\n"

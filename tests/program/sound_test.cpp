@@ -43,8 +43,8 @@ TEST_F(Sound, IsAWavOfEverySampleInOrderAcrossBlocks) {
         const double wanted = 0.5 * std::sin(2 * std::numbers::pi * turns) * 32767.0;
         ASSERT_NEAR(sample(wav, i, 0), wanted, 1.0) << i;
     }
-    glint({"sound", "tone.frag", "-o", "b.wav", "--seconds", "7"});
-    EXPECT_EQ(bytes("b.wav"), wav);
+    glint({"sound", "tone.frag", "-o", "B.WAV", "--seconds", "7"});
+    EXPECT_EQ(bytes("B.WAV"), wav);
     EXPECT_EQ(glint({"sound", "tone.frag", "-o", "c.wav", "--tweak", "level=0"}).code, 0);
     EXPECT_EQ(sample(bytes("c.wav"), 25, 0), 0);
     EXPECT_EQ(bytes("c.wav").size(), 44u + 180 * 44100 * 4);

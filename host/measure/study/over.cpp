@@ -19,7 +19,7 @@ constexpr std::size_t kMostViews = 100;
 
 std::vector<fs::path> presets_near(const Preset& preset) {
     std::vector<fs::path> folders = {preset.file.parent_path()};
-    if (preset.file.extension() != ".toml")
+    if (!is_preset(preset.file))
         folders.push_back(preset.file.parent_path().parent_path() / "presets");
     std::vector<fs::path> files;
     for (const fs::path& folder : folders) {

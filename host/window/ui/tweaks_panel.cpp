@@ -1,4 +1,5 @@
 // The tweaks: tools for all of them, a search, and groups of rows.
+#include "base/words.h"
 #include "window/ui/interface.h"
 #include "window/ui/tweak_row.h"
 #include "window/ui/widgets.h"
@@ -16,17 +17,10 @@ namespace {
 
 constexpr std::size_t kSearchAbove = 8;  // tweaks
 
-// ASCII letters made small.
-std::string lower(std::string_view text) {
-    std::string result(text);
-    for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return result;
-}
-
 bool matches(const Tweak& tweak, const std::string& search) {
     if (search.empty()) return true;
-    return lower(tweak.name + " " + tweak.group + " " + tweak.description).find(lower(search)) !=
-           std::string::npos;
+    return in_small_letters(tweak.name + " " + tweak.group + " " + tweak.description)
+               .find(in_small_letters(search)) != std::string::npos;
 }
 
 void sets(Build& build) {
