@@ -396,8 +396,8 @@ std::size_t end_of_heads(std::string_view text) {
         const std::size_t after = std::min(text.find('\n', next), text.size() - 1) + 1;
         const std::string_view line = trimmed(text.substr(next, after - next));
         constexpr std::string_view kHead = "// iChannel";
-        const bool is_head = line.starts_with(kHead) &&
-                             (line.ends_with(", clamp") || line.ends_with(", repeat"));
+        const bool is_head =
+            line.starts_with(kHead) && (line.ends_with(", clamp") || line.ends_with(", repeat"));
         if (!line.empty() && !is_head) break;
         next = after;
         if (is_head) end = next;

@@ -531,10 +531,10 @@ TEST_F(Sequence, JoiningPicturesRefusesWhatItWouldLeaveOutOrCouldNeverWrite) {
     }
     for (const char* pictures : {"n%d.jpg", "n%d.tif"})
         EXPECT_EQ(sequence({"scene.frag", "--frames", "0:1", "--from-pictures", pictures}).code, 2);
-    EXPECT_EQ(sequence({"scene.frag", "--frames", "0:1", "--from-pictures", "n%d.exr", "-o",
-                        "other.mp4"})
-                  .code,
-              2);
+    EXPECT_EQ(
+        sequence({"scene.frag", "--frames", "0:1", "--from-pictures", "n%d.exr", "-o", "other.mp4"})
+            .code,
+        2);
     for (const char* option : {"--save-state", "--from-state"})
         EXPECT_EQ(sequence({"scene.frag", "--frames", "0:1", "--from-pictures", "n%d.png", option,
                             "s.exr"})
