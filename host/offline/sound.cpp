@@ -25,6 +25,40 @@ float audible(float value) {
     return value > -1.0f ? std::min(value, 1.0f) : value <= -1.0f ? -1.0f : 0.0f;
 }
 
+// What a file cannot keep of a scene's samples.
+class Lost {
+public:
+    void add(float value) {
+        constexpr float kHeard = 1.01f;  // a rounding beyond 1 is not
+        ++count_;
+        none_ += std::isfinite(value) ? 0 : 1;
+        if (!std::isfinite(value) || std::abs(value) <= kHeard) return;
+        ++beyond_;
+        largest_ = std::max(largest_, std::abs(value));
+    }
+
+    // "" for nothing.
+    std::string words() const {
+        std::string text;
+        if (beyond_ > 0)
+            text = fmt::format(
+                "{:.2g} % of the samples lie beyond -1 and 1, up to {:.3g}, and are cut off there; "
+                "multiply them by {:.2g}",
+                percent(beyond_), largest_, std::floor(99.0 / static_cast<double>(largest_)) / 100);
+        if (none_ > 0)
+            text += fmt::format("{}{:.2g} % of the samples are NaN or infinite",
+                                text.empty() ? "" : "; ", percent(none_));
+        return text;
+    }
+
+private:
+    double percent(long some) const {
+        return 100.0 * static_cast<double>(some) / static_cast<double>(count_);
+    }
+    long count_ = 0, beyond_ = 0, none_ = 0;
+    float largest_ = 0.0f;
+};
+
 }  // namespace
 
 SoundRenderer::SoundRenderer(const Preset& preset, const ProgramOptions& options)
@@ -66,18 +100,24 @@ int write_sound(const Preset& preset, bool specialise, long first, long count,
     SoundRenderer renderer(preset, {.specialise = specialise});
     Progress progress("sound", count);
     std::vector<std::int16_t> samples;
+    Lost lost;
     long done = 0;
     for (long block = first / kBlock; block * kBlock < first + count; ++block) {
-        const std::vector<float> pairs = renderer.block(block);
+        const std::vector<float> rgba = renderer.drawn(renderer.frame_of(block));
         const long begin = std::max(first - block * kBlock, 0L);
         const long end = std::min(first + count - block * kBlock, kBlock);
         samples.clear();
-        for (auto i = static_cast<std::size_t>(2 * begin); i < static_cast<std::size_t>(2 * end);
-             ++i)
-            samples.push_back(static_cast<std::int16_t>(std::lround(pairs[i] * 32767.0f)));
+        for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+            for (const float value : {rgba[4 * i], rgba[4 * i + 1]}) {
+                lost.add(value);
+                samples.push_back(
+                    static_cast<std::int16_t>(std::lround(audible(value) * 32767.0f)));
+            }
         writer.append(samples);
         progress.update(done += end - begin);
     }
+    if (const std::string words = lost.words(); !words.empty())
+        say("{}: warning: {}\n", preset.scene.files.front().string(), words);
     return writer.finish();
 }
 

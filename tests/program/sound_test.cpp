@@ -50,6 +50,20 @@ TEST_F(Sound, IsAWavOfEverySampleInOrderAcrossBlocks) {
     EXPECT_EQ(bytes("c.wav").size(), 44u + 180 * 44100 * 4);
 }
 
+// Every other sample 2.5 or nothing that is a number; what is not asked for is not told of.
+TEST_F(Sound, ThatAFileCannotKeepIsTold) {
+    write("loud.frag",
+          "void mainImage(out vec4 c, in vec2 p) { c = vec4(1); }\n"
+          "vec2 mainSound(int s, float t) {\n"
+          "    return t > 1.0 ? vec2(9) : s % 2 == 0 ? vec2(0.5, 2.5) : vec2(sqrt(-t - 1.0), 0);\n"
+          "}\n");
+    const Outcome loud = glint({"sound", "loud.frag", "-o", "a.wav", "--seconds", "1"});
+    EXPECT_EQ(loud.code, 0);
+    EXPECT_EQ(loud.err,
+              "loud.frag: warning: 25 % of the samples lie beyond -1 and 1, up to 2.5, and are cut "
+              "off there; multiply them by 0.39; 25 % of the samples are NaN or infinite\n");
+}
+
 TEST_F(Sound, OfAnotherFormIsToldAtItsPlace) {
     const std::string image = "void mainImage(out vec4 c, in vec2 p) { c = vec4(1); }\n";
     for (const char* sound : {"vec2 mainSound(uint s, float t) { return vec2(t); }\n",
