@@ -72,6 +72,7 @@ Input replay(std::span<const Event> events, double from, double to, glm::ivec2 s
 struct Date {
     int year = 2000, month = 1, day = 1;  // month and day from 1
     double seconds = 0.0;                 // since midnight
+    bool operator==(const Date&) const = default;
 };
 
 // year, month from 0, day, seconds since midnight, `elapsed` seconds after `start`, midnights

@@ -297,6 +297,13 @@ inline void add_other_words(std::vector<Planted>& list) {
             bound);
     };
     add("mouse_let_go", released("1.0"), released("0.4"));
+    const auto month = [](const char* count) {
+        return fmt::format(
+            "float light[{}]; for (int i = 0; i < light.length(); ++i) light[i] = 0.08 * float(i); "
+            "c = vec4(light[int(iDate.y)]);",
+            count);
+    };
+    add("last_month", month("11"), month("12"));
     const auto comet = [](const char* share) {
         return fed(fmt::format("vec2 at = 0.5 + 0.3 * vec2(cos({0}), sin({0})); "
                                "c = max(s * {1}, vec4(smoothstep(0.05, 0.0, "

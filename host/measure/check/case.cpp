@@ -41,7 +41,8 @@ std::string tweak_words(const CheckSubject& subject) {
     return words;
 }
 
-// Mouse and keys come from a preset; one that has those of the case is written beside the picture.
+// Mouse, keys and date come from a preset; one that has those of the case is written beside the
+// picture.
 fs::path file_with_events(const CheckSubject& subject, const fs::path& folder,
                           const std::string& stem) {
     const fs::path file = folder / (stem + ".toml");
@@ -64,7 +65,8 @@ std::string command_for(const CheckSubject& subject, const CaseResult& result,
     const glm::ivec2 size = subject.preset.size;
     if (!subject.still) return command_for_case(subject.view(), result.name);
     const std::string stem = case_stem(subject.opened(), result.name);
-    const bool own_events = !same_events(subject.preset.events, subject.opened().events);
+    const bool own_events = !same_events(subject.preset.events, subject.opened().events) ||
+                            subject.preset.date != subject.opened().date;
     const fs::path file =
         own_events ? file_with_events(subject, folder, stem) : subject.opened().file;
     const std::string output =

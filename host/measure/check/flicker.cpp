@@ -366,7 +366,7 @@ void add_both(std::vector<Situation>& all, const CheckSubject& subject) {
                 all[i].events == subject.opened().events &&
                 all[k].values == subject.opened().values &&
                 all[k].events != subject.opened().events)
-                all.push_back({all[i].values, all[k].events, all[k].time});
+                all.push_back({all[i].values, all[k].events, all[k].time, all[k].date});
 }
 
 // For tiles in which a row of pixels is little.

@@ -27,18 +27,19 @@ void Situation::bring(CheckSubject& subject) const {
     subject.restore();
     subject.preset.values = values;
     subject.preset.events = events;
+    subject.preset.date = date;
 }
 
 std::vector<Situation> situations(CheckSubject& subject, std::size_t ends, int spread) {
     std::vector<Situation> all;
     const Preset& opened = subject.opened();
     for (auto& values : values_at_ends(subject, subject.specialised() ? 1 : ends))
-        all.push_back({std::move(values), opened.events, opened.time});
+        all.push_back({std::move(values), opened.events, opened.time, opened.date});
     const Space space(subject, keys_to_hold(subject));
     const auto add = [&](const Point& point) {
         subject.restore();
         const double time = space.apply(point, subject);
-        all.push_back({subject.preset.values, subject.preset.events, time});
+        all.push_back({subject.preset.values, subject.preset.events, time, subject.preset.date});
     };
     for (const Point& point : space.inputs()) add(point);
     if (!subject.specialised() && spread > 0) {
@@ -75,6 +76,7 @@ std::string where_words(const Situation& situation, const CheckSubject& subject)
             add(tweak.name + "=" + format_value(tweak, situation.values[i]));
     }
     if (situation.time != opened.time) add(fmt::format("time {:.4g}", situation.time));
+    if (situation.date != opened.date) add("date " + date_words(situation.date));
     if (situation.events == opened.events) return words;
     const Event* mouse = nullptr;  // where it is in the end
     for (const Event& event : situation.events) {

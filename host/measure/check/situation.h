@@ -14,6 +14,7 @@ struct Situation {
     std::vector<TweakValue> values;
     std::vector<Event> events;
     double time = 0.0;  // s, of a scene without a state
+    Date date{};        // when time is 0
 
     // The subject as it was at first, but for this.
     void bring(CheckSubject& subject) const;

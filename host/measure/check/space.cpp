@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 
@@ -17,6 +18,17 @@ constexpr std::size_t kMostEquals = 64;
 constexpr std::size_t kMostOfMenus = 8;  // sets for the middle entries of menus
 // The usual number of pixels. The shorter side gives way, so that no point is dearer than others.
 constexpr double kMostPixels = 3.0;
+
+// Of a year the ends, and the day that few have.
+constexpr std::array kDates = {Date{2026, 1, 1, 0.0}, Date{2028, 2, 29, 43200.0},
+                               Date{2026, 12, 31, 86399.0}};
+
+// By the share of the date: the preset's, which is the first part of it, or one of these.
+std::optional<Date> date_at(double share) {
+    const auto part = static_cast<std::size_t>(share * (kDates.size() + 1));
+    if (part == 0) return std::nullopt;
+    return kDates[std::min(part, kDates.size()) - 1];
+}
 
 // What a hand has done with the mouse: by it `iMouse.zw` has all its signs, and other places than
 // `iMouse.xy`.
@@ -99,6 +111,10 @@ Space::Space(const CheckSubject& subject, const std::vector<int>& keys)
         axes_.push_back({Axis::Of::time, 0, 0});
         usual_.push_back(share_of_time(subject.opened().time));
     }
+    if (subject.reads(Builtin::date)) {
+        axes_.push_back({Axis::Of::date, 0, 0});
+        usual_.push_back(0.0);
+    }
     if (subject.renderer().reads_mouse()) {
         for (const std::size_t c : {std::size_t{0}, std::size_t{1}, kButton}) {
             axes_.push_back({Axis::Of::mouse, 0, c});
@@ -165,6 +181,9 @@ std::vector<Point> Space::inputs() const {
         };
         if (axes_[i].of == Axis::Of::time)
             for (const double time : kTimes) with({share_of_time(time)});
+        if (axes_[i].of == Axis::Of::date)
+            for (std::size_t k = 1; k <= kDates.size(); ++k)
+                with({(static_cast<double>(k) + 0.5) / (kDates.size() + 1)});
         if (axes_[i].of == Axis::Of::mouse && axes_[i].component == 0)
             for (const auto& place : kPlaces)
                 for (std::size_t hand = 0; hand < kHands; ++hand)
@@ -218,6 +237,8 @@ double Space::apply(const Point& point, CheckSubject& subject) const {
         const Axis& axis = axes_[i];
         if (axis.of == Axis::Of::time) {
             time = std::round(time_at(point[i]) * 60.0) / 60.0;
+        } else if (axis.of == Axis::Of::date) {
+            subject.preset.date = date_at(point[i]).value_or(subject.opened().date);
         } else if (axis.of == Axis::Of::mouse) {
             mouse[static_cast<int>(axis.component)] = point[i];
             is_moved = true;
@@ -254,6 +275,8 @@ std::string Space::words(const Point& point, const CheckSubject& subject) const 
         if (point[i] == usual_[i]) continue;
         const Axis& axis = axes_[i];
         if (axis.of == Axis::Of::time) add(fmt::format("time {:.4g}", time_at(point[i])));
+        if (axis.of == Axis::Of::date && date_at(point[i]))
+            add("date " + date_words(*date_at(point[i])));
         if (axis.of == Axis::Of::mouse) {
             mouse[static_cast<int>(axis.component)] = point[i];
             is_moved = true;
@@ -271,6 +294,12 @@ std::string Space::words(const Point& point, const CheckSubject& subject) const 
         add(fmt::format("mouse {:.3g},{:.3g}{}", mouse.x, mouse.y,
                         kHandWords[static_cast<std::size_t>(hand_at(mouse.z))]));
     return words.empty() ? "the preset as it is" : words;
+}
+
+std::string date_words(const Date& date) {
+    const auto seconds = static_cast<int>(date.seconds);
+    return fmt::format("{}-{:02}-{:02} {:02}:{:02}:{:02}", date.year, date.month, date.day,
+                       seconds / 3600, seconds / 60 % 60, seconds % 60);
 }
 
 std::vector<std::vector<TweakValue>> values_at_ends(const CheckSubject& subject, std::size_t most) {

@@ -1,5 +1,5 @@
-// What a person can turn: every number of every tweak, the time, the mouse, keys, the size; as
-// shares of ranges.
+// What a person can turn: every number of every tweak, the time, the date, the mouse, keys, the
+// size; as shares of ranges.
 #pragma once
 
 #include "measure/check/search.h"
@@ -36,7 +36,7 @@ public:
     // The same at a size of odd sides, where a pixel may lie in the middle.
     Point at_odd_size(Point point) const;
     // The preset's tweaks with what else there is: the mouse pressed at some places, each key held
-    // and all of them, a late time.
+    // and all of them, a late time, the ends of a year.
     std::vector<Point> inputs() const;
     // The point with this range's tweak at the number of fewest digits that is as good as the one
     // there; itself for other ranges.
@@ -50,7 +50,7 @@ public:
 
 private:
     struct Axis {
-        enum class Of { tweak, time, mouse, key, size } of;
+        enum class Of { tweak, time, date, mouse, key, size } of;
         std::size_t index;  // of the tweak; the key
         std::size_t component;
     };
@@ -62,6 +62,9 @@ private:
     Point usual_;
     glm::ivec2 usual_size_;
 };
+
+// "2028-02-29 12:00:00"
+std::string date_words(const Date& date);
 
 // The preset's values, and the ends of all ranges, so combined that any two tweaks take every
 // combination of theirs, at most `most` sets; then the other entries of menus, each alone, where

@@ -53,6 +53,7 @@ CheckSubject::CheckSubject(const ViewOptions& view, const Preset& opened, Contex
 void CheckSubject::restore() {
     preset.values = opened_.values;
     preset.events = opened_.events;
+    preset.date = opened_.date;
     resize(opened_.size);
     // A scene without a state has nothing to forget, and its static passes need not run again.
     if (stateful()) renderer_->reset();

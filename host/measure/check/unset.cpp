@@ -30,9 +30,11 @@ public:
         if (subject.stateful() || !subject.moves()) return;
         // What a scene does for a while only; then every second, as long as there is time.
         for (const double time : {1.3, 2.9, 4.7, 7.1, 10.3, 14.9, 21.1, 33.7, 55.3})
-            situations_.push_back({subject.opened().values, subject.opened().events, time});
+            situations_.push_back(
+                {subject.opened().values, subject.opened().events, time, subject.opened().date});
         for (int second = 0; second < 60; ++second)
-            situations_.push_back({subject.opened().values, subject.opened().events, second + 0.6});
+            situations_.push_back({subject.opened().values, subject.opened().events, second + 0.6,
+                                   subject.opened().date});
     }
 
     // As many situations as there is time for. False where the scene is not finite by itself; then
