@@ -45,6 +45,7 @@ struct TweakParser {
     bool is_safe_within() const;
 };
 
+constexpr std::array<std::string_view, 3> kAlone = {"log", "quality", "norandom"};
 const std::vector<std::string> kTweakWords = {"log",      "unit",      "step",   "group", "quality",
                                               "norandom", "reference", "second", "safe"};
 
@@ -99,7 +100,7 @@ void TweakParser::parse_word(std::size_t at) {
         words = after;
         return parse_option(word, at, equals == Words::Equals::alone);
     }
-    if (word == "log" || word == "quality" || word == "norandom") {
+    if (is_one_of(word, kAlone)) {
         words = after;
         if (word == "log") log_at = at;
         (word == "log" ? tweak.log : word == "quality" ? tweak.quality : tweak.no_random) = true;
@@ -173,6 +174,9 @@ void TweakParser::parse_option(std::string_view key, std::size_t at, bool is_emp
         return;
     } else if (key == "reference") {
         reference = Written{words.value(), value_at};
+    } else if (is_one_of(key, kAlone)) {
+        words.complain(at, fmt::format("{0} has no value; write {0} alone", key));
+        words.text();
     } else {
         words.warn(at, fmt::format("unknown word {}; known are log, quality, norandom, unit=, "
                                    "step=, group=, reference=, second= and safe={}",
@@ -255,9 +259,13 @@ void TweakParser::check() {
         words.complain(range_at, "a range is for numbers; take it out of this bool or menu");
         tweak.min = tweak.max = std::nullopt;
     }
+    constexpr double kLeastInt = std::numeric_limits<std::int32_t>::min(),
+                     kLargestInt = std::numeric_limits<std::int32_t>::max();
     if (tweak.min && tweak.type == TweakType::int1 &&
-        (*tweak.min != std::floor(*tweak.min) || *tweak.max != std::floor(*tweak.max)))
-        words.complain(range_at, "the range of an int is two whole numbers");
+        (*tweak.min != std::floor(*tweak.min) || *tweak.max != std::floor(*tweak.max) ||
+         *tweak.min < kLeastInt || *tweak.max > kLargestInt))
+        words.complain(range_at,
+                       "the range of an int is two whole numbers, from -2147483648 to 2147483647");
     if (tweak.safe && !is_safe_within())
         words.complain(safe_at, tweak.names.empty()
                                     ? "safe is a part of the range; write it within [min, max]"

@@ -60,6 +60,9 @@ std::string parse_noise(std::string_view text, Sampler& sampler);
 // What is wrong with so many files for a cube, or "".
 std::string check_cube_files(std::size_t count);
 
+// Whether `vflip` or `plays` means anything to it; what else there is does to all.
+bool takes_option(Source source, std::string_view option);
+
 // What a sampler of this source and type does unless told otherwise.
 void set_defaults(Sampler& sampler, Source source);
 

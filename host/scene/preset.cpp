@@ -6,6 +6,7 @@
 #include "glsl/raw_text.h"
 #include "scene/annotation.h"
 #include "scene/expect_toml.h"
+#include "scene/preset_reader.h"
 #include "scene/toml_keys.h"
 #include "scene/toml_value.h"
 
@@ -28,68 +29,16 @@ const std::vector<std::string> kKeys = {"scene",    "title",  "time",  "size",  
                                         "date",     "locked", "watch", "tweaks", "quality",
                                         "channels", "events", "expect"};
 
-class Reader {
-public:
-    // Without a scene, the one that the preset names is read.
-    Reader(const fs::path& file, const Scene* scene, ReadPreset& result)
-        : result_(result), known_scene_(scene) {
-        preset_.file = file;
-    }
+}  // namespace
 
-    void read(std::string_view text);
-
-private:
-    using Names = std::vector<std::string>;
-
-    Diagnostic syntax_error(const toml::parse_error& error) const;
-    Diagnostic deep_key(std::string_view text, std::size_t at) const;
-    void read_scene_key(const toml::table& root);
-    void take_scene(Scene scene);
-    void read_picture(const toml::table& root);
-    void read_size(const toml::node& node);
-    void read_date(const toml::node& node);
-    void read_tweaks(const toml::node& node);
-    void read_locked(const toml::node& node);
-    void read_watch(const toml::node& node);
-    std::optional<Turned> read_tweak(const toml::key& key, const toml::node& node);
-    void read_qualities(const toml::node& node);
-    void read_channels(const toml::node& node);
-    void read_channel(std::size_t index, const toml::table& table);
-    void read_channel_source(Sampler& sampler, std::string_view key, const toml::node& node);
-    void read_cube_files(Sampler& sampler, const toml::array& files);
-    void read_channel_options(Sampler& sampler, const toml::table& table);
-    void read_events(const toml::node& node);
-    std::optional<Event> read_event(const toml::table& table);
-    bool read_event_input(Event& event, const toml::table& table);
-    void check_keys(const toml::table& table, const Names& known);
-    void check_root_keys(const toml::table& root);
-
-    Place place(const toml::source_region& source) const {
-        return {preset_.file.string(), static_cast<int>(source.begin.line),
-                static_cast<int>(source.begin.column)};
-    }
-    void warning(const toml::source_region& source, std::string text) {
-        warnings_.push_back({Severity::warning, place(source), std::move(text)});
-    }
-    void warning(const toml::node& node, std::string text) {
-        warning(node.source(), std::move(text));
-    }
-
-    ReadPreset& result_;
-    Diagnostics warnings_;  // of the preset itself
-    Preset preset_;
-    const Scene* known_scene_;
-    bool has_scene_ = false;
-};
-
-Diagnostic Reader::syntax_error(const toml::parse_error& error) const {
+Diagnostic PresetReader::syntax_error(const toml::parse_error& error) const {
     std::string text = "no valid TOML: " + better_said(error.description());
     for (char& c : text)  // it quotes what it has read, line ends too
         if (c >= 0 && c < ' ') c = ' ';
     return {Severity::error, place(error.source()), std::move(text)};
 }
 
-Diagnostic Reader::deep_key(std::string_view text, std::size_t at) const {
+Diagnostic PresetReader::deep_key(std::string_view text, std::size_t at) const {
     const std::string_view before = text.substr(0, at);
     const auto line = static_cast<int>(std::ranges::count(before, '\n')) + 1;
     const auto column = static_cast<int>(at - (before.rfind('\n') + 1)) + 1;
@@ -100,7 +49,7 @@ Diagnostic Reader::deep_key(std::string_view text, std::size_t at) const {
                         kMostKeyParts)};
 }
 
-void Reader::read(std::string_view text) {
+void PresetReader::read(std::string_view text) {
     if (const auto at = find_deep_key(text)) {
         result_.diagnostics.push_back(deep_key(text, *at));
         return;
@@ -133,7 +82,7 @@ void Reader::read(std::string_view text) {
     if (!has_errors(result_.diagnostics)) result_.preset = std::move(preset_);
 }
 
-void Reader::check_keys(const toml::table& table, const Names& known) {
+void PresetReader::check_keys(const toml::table& table, const Names& known) {
     for (const auto& [key, node] : table) {
         const std::string wrong = unknown_key(key.str(), known);
         if (!wrong.empty()) warning(key.source(), wrong);
@@ -141,7 +90,7 @@ void Reader::check_keys(const toml::table& table, const Names& known) {
 }
 
 // A tweak at the top is a line that has lost its heading.
-void Reader::check_root_keys(const toml::table& root) {
+void PresetReader::check_root_keys(const toml::table& root) {
     for (const auto& [key, node] : root) {
         const std::string wrong = unknown_key(key.str(), kKeys);
         if (wrong.empty()) continue;
@@ -154,22 +103,17 @@ void Reader::check_root_keys(const toml::table& root) {
     }
 }
 
-void Reader::take_scene(Scene scene) {
+void PresetReader::take_scene(Scene scene) {
     preset_.scene = std::move(scene);
     has_scene_ = true;
     for (const Tweak& tweak : preset_.scene.tweaks) preset_.values.push_back(tweak.initial);
 }
 
-// The system would read one with a NUL in it up to there, and open another file.
-bool is_name(const std::optional<std::string>& text) {
-    return text && !text->empty() && text->find('\0') == text->npos;
-}
-
-void Reader::read_scene_key(const toml::table& root) {
+void PresetReader::read_scene_key(const toml::table& root) {
     if (known_scene_) return take_scene(*known_scene_);
     const toml::node* node = root.get("scene");
     const auto name = node ? node->value<std::string>() : std::nullopt;
-    if (!is_name(name)) {
+    if (!may_name_a_file(name)) {
         const std::string why =
             node ? "the scene is missing, for this is no file's name" : "the scene is missing";
         result_.diagnostics.push_back(
@@ -198,7 +142,7 @@ void Reader::read_scene_key(const toml::table& root) {
     if (read.scene) take_scene(std::move(*read.scene));
 }
 
-void Reader::read_picture(const toml::table& root) {
+void PresetReader::read_picture(const toml::table& root) {
     if (const toml::node* node = root.get("title")) {
         if (const auto title = node->value<std::string>())
             preset_.title = *title;
@@ -225,7 +169,7 @@ void Reader::read_picture(const toml::table& root) {
     if (const toml::node* node = root.get("date")) read_date(*node);
 }
 
-void Reader::read_size(const toml::node& node) {
+void PresetReader::read_size(const toml::node& node) {
     const toml::array* pair = node.as_array();
     const auto length = [&](std::size_t i) {
         return (*pair)[i].is_integer() ? (*pair)[i].value<std::int64_t>() : std::nullopt;
@@ -246,7 +190,7 @@ void Reader::read_size(const toml::node& node) {
     preset_.has_size = true;
 }
 
-void Reader::read_date(const toml::node& node) {
+void PresetReader::read_date(const toml::node& node) {
     const auto* written = node.as_date_time();
     const auto* day_only = node.as_date();
     if ((!written || written->get().offset) && !day_only)
@@ -262,7 +206,7 @@ void Reader::read_date(const toml::node& node) {
         .seconds = time.hour * 3600.0 + time.minute * 60.0 + time.second + time.nanosecond * 1e-9};
 }
 
-void Reader::read_tweaks(const toml::node& node) {
+void PresetReader::read_tweaks(const toml::node& node) {
     const toml::table* tweaks = node.as_table();
     if (!tweaks) return warning(node, "tweaks is a table; write [tweaks] on a line of its own");
     if (!has_scene_) return;
@@ -270,7 +214,7 @@ void Reader::read_tweaks(const toml::node& node) {
         if (const auto read = read_tweak(key, value)) preset_.values[read->tweak] = read->value;
 }
 
-void Reader::read_qualities(const toml::node& node) {
+void PresetReader::read_qualities(const toml::node& node) {
     const toml::table* qualities = node.as_table();
     if (!qualities) return warning(node, "quality has tables; write [quality.NAME] on a line");
     if (!has_scene_) return;
@@ -281,6 +225,10 @@ void Reader::read_qualities(const toml::node& node) {
                     "a quality is a table of tweaks; write [quality.NAME] on a line");
             continue;
         }
+        if (parse_number(name.str()))
+            warning(name.source(), fmt::format("a quality has a word for its name: --quality {} is "
+                                               "that of JPEG files",
+                                               name.str()));
         QualitySet& set = preset_.qualities.emplace_back();
         set.name = name.str();
         for (const auto& [key, value] : *table)
@@ -288,7 +236,7 @@ void Reader::read_qualities(const toml::node& node) {
     }
 }
 
-std::optional<Turned> Reader::read_tweak(const toml::key& key, const toml::node& node) {
+std::optional<Turned> PresetReader::read_tweak(const toml::key& key, const toml::node& node) {
     const auto& tweaks = preset_.scene.tweaks;
     const auto tweak = std::ranges::find(tweaks, key.str(), &Tweak::name);
     if (tweak == tweaks.end()) {
@@ -319,7 +267,7 @@ std::optional<Turned> Reader::read_tweak(const toml::key& key, const toml::node&
 }
 
 // A name that the scene does not have is told and kept: the scene may have it again tomorrow.
-void Reader::read_locked(const toml::node& node) {
+void PresetReader::read_locked(const toml::node& node) {
     const toml::array* names = node.as_array();
     if (!names)
         return warning(node, "locked is a list of tweaks; write locked = [\"NAME\", \"NAME\"]");
@@ -339,7 +287,7 @@ void Reader::read_locked(const toml::node& node) {
 }
 
 // What names no line of today's text is kept: probing tells.
-void Reader::read_watch(const toml::node& node) {
+void PresetReader::read_watch(const toml::node& node) {
     constexpr const char* kForm = "watch is a list of texts; write watch = [\"EXPR@LINE\"]";
     const toml::array* list = node.as_array();
     if (!list) return warning(node, kForm);
@@ -352,207 +300,7 @@ void Reader::read_watch(const toml::node& node) {
     }
 }
 
-void Reader::read_channels(const toml::node& node) {
-    const toml::table* channels = node.as_table();
-    if (!channels)
-        return warning(node, "channels is a table; write [channels] on a line of its own");
-    static const Names kChannels = {"iChannel0", "iChannel1", "iChannel2", "iChannel3"};
-    check_keys(*channels, kChannels);
-    for (const auto& [key, value] : *channels) {
-        const auto known = std::ranges::find(kChannels, key.str());
-        if (known == kChannels.end()) continue;
-        const auto& declared = preset_.scene.samplers;
-        if (std::ranges::any_of(
-                declared, [&](const Sampler& s) { return s.name == *known && s.tab.empty(); }))
-            warning(key.source(),
-                    fmt::format("the scene fills {} itself; this line is not used", *known));
-        else if (const toml::table* table = value.as_table())
-            read_channel(static_cast<std::size_t>(known - kChannels.begin()), *table);
-        else
-            warning(value, fmt::format("{} is a table; write {} = {{ image = \"wood.png\" }}",
-                                       *known, *known));
-    }
-}
-
-void Reader::read_channel(std::size_t index, const toml::table& table) {
-    static const Names kSources = {"image", "cube",     "volume", "sound",
-                                   "noise", "keyboard", "buffer"};
-    Names known = kSources;
-    known.insert(known.end(), {"wrap", "filter", "vflip", "plays"});
-    check_keys(table, known);
-    Sampler sampler;
-    sampler.name = fmt::format("iChannel{}", index);
-    sampler.place = place(table.source());
-    int sources = 0;
-    for (const std::string& source : kSources) {
-        const toml::node* node = table.get(source);
-        if (!node) continue;
-        if (++sources > 1)
-            warning(*node, fmt::format("a channel has one source; {} is not used", source));
-        else
-            read_channel_source(sampler, source, *node);
-    }
-    if (sources == 0)
-        warning(table.source(),
-                "this channel has no source; write image =, cube =, volume =, sound =, noise =, "
-                "keyboard = true or buffer =");
-    if (sampler.source == Source::none) return;
-    const auto declared = preset_.scene.channel_types[index];
-    if (declared && *declared != sampler.type)
-        return warning(table.source(),
-                       fmt::format("the scene declares {} as {}, and this fills a {}; not used",
-                                   sampler.name, glsl_name(*declared), glsl_name(sampler.type)));
-    read_channel_options(sampler, table);
-    preset_.channels[index] = std::move(sampler);
-}
-
-void Reader::read_channel_source(Sampler& sampler, std::string_view key, const toml::node& node) {
-    if (key == "keyboard") {
-        if (node.value_exact<bool>().value_or(false))
-            return set_defaults(sampler, Source::keyboard);
-        return warning(node, "keyboard is a switch; write keyboard = true, or leave it out");
-    }
-    if (key == "cube" && node.is_array()) return read_cube_files(sampler, *node.as_array());
-    const auto text = node.value<std::string>();
-    if (!is_name(text))
-        return warning(node, fmt::format("{} is a text; write {} = \"{}\"", key, key,
-                                         key == "image"    ? "wood.png"
-                                         : key == "cube"   ? "sky.hdr"
-                                         : key == "volume" ? "clouds.bin"
-                                         : key == "sound"  ? "song.ogg"
-                                         : key == "noise"  ? "rgba 256"
-                                                           : "waves"));
-    const auto read_file = [&](Source source, SamplerType type) {
-        sampler.type = type;
-        sampler.files = {preset_.file.parent_path() / *text};
-        set_defaults(sampler, source);
-    };
-    if (key == "image") return read_file(Source::image, SamplerType::sampler2D);
-    if (key == "cube") return read_file(Source::cube, SamplerType::samplerCube);
-    if (key == "volume") return read_file(Source::volume, SamplerType::sampler3D);
-    if (key == "sound") return read_file(Source::sound, SamplerType::sampler2D);
-    if (key == "noise") {
-        if (std::ranges::count(*text, 'x') == 2) sampler.type = SamplerType::sampler3D;
-        const std::string wrong = parse_noise(*text, sampler);
-        return wrong.empty() ? set_defaults(sampler, Source::noise) : warning(node, wrong);
-    }
-    Names names;
-    for (const Sampler& declared : preset_.scene.samplers) {
-        if (declared.source != Source::buffer || !declared.tab.empty()) continue;
-        names.push_back(declared.name);
-        if (declared.name != *text) continue;
-        sampler.type = declared.type;
-        sampler.pass = declared.pass;
-        sampler.output = declared.output;
-        return set_defaults(sampler, Source::buffer);
-    }
-    if (has_scene_)
-        warning(node, fmt::format("the scene has no buffer {}{}", in_quotes(*text),
-                                  did_you_mean(*text, names)));
-}
-
-void Reader::read_cube_files(Sampler& sampler, const toml::array& files) {
-    const std::string wrong = check_cube_files(files.size());
-    if (!wrong.empty()) return warning(files, wrong);
-    for (const toml::node& file : files) {
-        const auto name = file.value<std::string>();
-        if (!is_name(name)) return warning(file, "the name of a file is a text; write \"px.png\"");
-        sampler.files.push_back(preset_.file.parent_path() / *name);
-    }
-    sampler.type = SamplerType::samplerCube;
-    set_defaults(sampler, Source::cube);
-}
-
-void Reader::read_channel_options(Sampler& sampler, const toml::table& table) {
-    if (const toml::node* node = table.get("wrap")) {
-        if (const auto wrap = kWrapNames.find(node->value_or("")))
-            sampler.wrap = *wrap;
-        else
-            warning(*node, "wrap is \"clamp\", \"repeat\" or \"mirror\"");
-    }
-    if (const toml::node* node = table.get("filter")) {
-        if (const auto filter = kFilterNames.find(node->value_or("")))
-            sampler.filter = *filter;
-        else
-            warning(*node, "filter is \"nearest\", \"linear\" or \"mipmap\"");
-    }
-    for (const auto& [key, value] :
-         {std::pair{"vflip", &sampler.vflip}, {"plays", &sampler.plays}}) {
-        const toml::node* node = table.get(key);
-        if (!node) continue;
-        if (const auto* on = node->as_boolean())
-            *value = on->get();
-        else
-            warning(*node, fmt::format("{} is true or false", key));
-    }
-}
-
-void Reader::read_events(const toml::node& node) {
-    const toml::array* events = node.as_array();
-    if (!events) return warning(node, "events is a list; write [[events]] above each of them");
-    for (const toml::node& entry : *events) {
-        const toml::table* table = entry.as_table();
-        if (!table) {
-            warning(entry, "an event is a table; write [[events]] above each of them");
-            continue;
-        }
-        if (const auto event = read_event(*table)) preset_.events.push_back(*event);
-    }
-    std::ranges::stable_sort(preset_.events, {}, &Event::time);
-}
-
-// An event that lacks something is left out: half an event would be another one.
-std::optional<Event> Reader::read_event(const toml::table& table) {
-    check_keys(table, {"t", "key", "mouse", "down"});
-    Event event;
-    const toml::node* time = table.get("t");
-    const auto seconds = time ? finite_number(*time) : std::nullopt;
-    if (!seconds || *seconds < 0.0) {
-        warning(time ? time->source() : table.source(),
-                "an event needs its time in seconds from 0, such as t = 0.5; left out");
-        return std::nullopt;
-    }
-    event.time = *seconds;
-    const toml::node* down = table.get("down");
-    if (!down || !down->is_boolean()) {
-        warning(down ? down->source() : table.source(),
-                "an event says down = true or down = false; left out");
-        return std::nullopt;
-    }
-    event.down = down->value_or(false);
-    if (!read_event_input(event, table)) return std::nullopt;
-    return event;
-}
-
-bool Reader::read_event_input(Event& event, const toml::table& table) {
-    const toml::node* key = table.get("key");
-    const toml::node* mouse = table.get("mouse");
-    if ((key != nullptr) == (mouse != nullptr)) {
-        warning(table.source(), "an event has either key = \"up\" or mouse = [0.5, 0.5]; left out");
-        return false;
-    }
-    if (key) {
-        const auto name = key->value<std::string>();
-        const std::int64_t code = key->is_integer() ? key->value_or(std::int64_t{-1}) : -1;
-        if (name) event.key = key_code(*name);
-        if (code >= 0 && code < kKeyCount) event.key = static_cast<int>(code);
-        if (event.key < 0)
-            warning(*key,
-                    "no such key; write a name such as \"up\", \"space\", \"a\" or \"f1\", or "
-                    "a JavaScript key code from 0 to 255; left out");
-        return event.key >= 0;
-    }
-    const toml::array* pair = mouse->as_array();
-    const auto x = pair && pair->size() == 2 ? finite_number((*pair)[0]) : std::nullopt;
-    const auto y = pair && pair->size() == 2 ? finite_number((*pair)[1]) : std::nullopt;
-    if (!x || !y) {
-        warning(*mouse,
-                "mouse is two fractions of the picture, y up, such as [0.5, 0.4]; left out");
-        return false;
-    }
-    event.mouse = {*x, *y};
-    return true;
-}
+namespace {
 
 void read_bare_scene(const fs::path& file, ReadPreset& result) {
     ReadScene read = read_scene(file);
@@ -587,13 +335,13 @@ ReadPreset read_preset(const fs::path& file) {
              fmt::format("cannot read {}: {}", in_quotes(file.string()), why_not), true});
         return result;
     }
-    Reader(file, nullptr, result).read(*text);
+    PresetReader(file, nullptr, result).read(*text);
     return result;
 }
 
 ReadPreset parse_preset(std::string_view text, const fs::path& file, const Scene& scene) {
     ReadPreset result;
-    Reader(file, &scene, result).read(text);
+    PresetReader(file, &scene, result).read(text);
     return result;
 }
 

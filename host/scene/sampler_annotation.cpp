@@ -97,8 +97,13 @@ void SamplerParser::parse() {
             words.quoted_text();  // a description; nothing shows it
             continue;
         }
-        words.warn(option_at, fmt::format("unknown word {}; known here are {}=", in_quotes(key),
-                                          fmt::join(known_options(), "=, ")));
+        const auto known = known_options();
+        if (std::ranges::find(known, key) != known.end())
+            words.complain(option_at,
+                           fmt::format("{0} has no value; write {0}= and what it is", key));
+        else
+            words.warn(option_at, fmt::format("unknown word {}; known here are {}=", in_quotes(key),
+                                              fmt::join(known, "=, ")));
     }
     if (result.size && result.scale)
         words.complain(result.scale->at, "size and scale contradict each other; keep one");
@@ -201,9 +206,8 @@ std::vector<std::string> SamplerParser::known_options() const {
     const bool is_pass = result.sampler.source == Source::buffer && !result.reads_another;
     if (is_pass)
         known.insert(known.end(), {"size", "scale", "step", "format", "bounded", "conserves"});
-    const Source source = result.sampler.source;
-    if (source == Source::image || source == Source::cube) known.push_back("vflip");
-    if (source == Source::noise) known.push_back("plays");
+    for (const char* option : {"vflip", "plays"})
+        if (takes_option(result.sampler.source, option)) known.push_back(option);
     return known;
 }
 
@@ -367,6 +371,11 @@ std::string check_cube_files(std::size_t count) {
         "a cube is one file, or six in the order +X -X +Y -Y +Z -Z, and not {}; write cube sky.hdr "
         "or cube px.png nx.png py.png ny.png pz.png nz.png",
         count);
+}
+
+bool takes_option(Source source, std::string_view option) {
+    if (option == "vflip") return source == Source::image || source == Source::cube;
+    return option != "plays" || source == Source::noise;
 }
 
 void set_defaults(Sampler& sampler, Source source) {
