@@ -83,8 +83,9 @@ SignalHandler ignore_signals_of_writes() {
 // An option that the verb does not have; it explains whatever else is missing, and comes first.
 std::string unknown_option(const CLI::App& app) {
     const std::vector<std::string> left = app.remaining(true);
-    const auto word = std::ranges::find_if(
-        left, [](const std::string& text) { return text.starts_with("--") && text.size() > 2; });
+    const auto word = std::ranges::find_if(left, [](const std::string& text) {
+        return text.starts_with('-') && text != "-" && text != "--";
+    });
     if (word == left.end()) return {};
     const auto parsed = app.get_subcommands();
     const CLI::App& asked = parsed.empty() ? app : *parsed.front();
@@ -204,7 +205,7 @@ void require_open(const std::vector<std::string>& arguments, std::span<const std
 // --help`, and `glint version` `glint --version`. Throws UsageError where a verb was meant.
 void add_default_verb(std::vector<std::string>& arguments) {
     if (arguments.empty()) return arguments.push_back("open");
-    if (arguments[0].starts_with('-')) return;
+    if (arguments[0].starts_with('-') && arguments[0] != "--") return;
     std::vector<std::string> verbs;
     for (const VerbEntry& entry : kVerbs) verbs.emplace_back(entry.name);
     if (std::ranges::find(verbs, arguments[0]) != verbs.end()) return;
@@ -217,7 +218,7 @@ void add_default_verb(std::vector<std::string>& arguments) {
         arguments[0] = "--version";
         return;
     }
-    require_open(arguments, verbs);
+    if (arguments[0] != "--") require_open(arguments, verbs);
     if (std::ranges::find(verbs, "open") == verbs.end()) {
         throw UsageError(
             fmt::format("This glint was built without its window; draw a picture by "

@@ -118,6 +118,7 @@ Json passes_json(const Preset& preset, Subject& subject, int frames) {
                         {"ms", quantile(times[i].wall_ms, 0.5)},
                         {"processor_ms", quantile(times[i].processor_ms, 0.5)},
                         {"drawn", times[i].wall_ms.size()},
+                        {"frames", frames},
                         {"bytes", subject.buffer_bytes(i)},
                         {"runs", to_string(pass.runs)}});
     }
@@ -133,9 +134,14 @@ void print_table(const Json& json) {
                ms["median"].get<double>(), ms["p95"].get<double>(), ms["min"].get<double>(),
                json["host_ms"].get<double>());
     for (const Json& pass : json["passes"]) {
+        const double once = pass["ms"].get<double>();
+        const double a_frame = pass["drawn"].get<double>() / pass["frames"].get<double>();
+        const std::string often =
+            a_frame == 0.0  ? ", not in these frames"
+            : a_frame > 1.0 ? fmt::format(", {:.3g} a frame of {:.3f} ms each", a_frame, once)
+                            : "";
         say_result("  {:<20} {:>9.3f} ms  {}{}\n", pass["name"].get<std::string>(),
-                   pass["ms"].get<double>(), pass["runs"].get<std::string>(),
-                   pass["drawn"] == 0 ? ", not in these frames" : "");
+                   once * std::max(a_frame, 1.0), pass["runs"].get<std::string>(), often);
     }
     if (json.contains("uniform_ms")) {
         say_result("uniform-fed  median {:.3f} ms: {:.2f} times the specialised frame\n",

@@ -41,7 +41,7 @@ std::vector<fs::path> scenes_in(const fs::path& folder) {
 fs::path documentation(const std::string& page) {
     const fs::path home = home_of_examples();
     std::error_code error;
-    for (const fs::path& folder : {home / "docs", home / "../../doc/glint/docs"}) {
+    for (const fs::path& folder : {home / "docs", home / "../doc/glint/docs"}) {
         if (home.empty() || !fs::exists(folder / page, error)) continue;
         const fs::path whole = fs::canonical(folder / page, error);
         const fs::path from_here = whole.lexically_proximate(fs::current_path(error));

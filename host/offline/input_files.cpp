@@ -9,6 +9,8 @@
 #include "offline/input_room.h"
 #include "render/room.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <new>
 
@@ -47,7 +49,14 @@ InputContent read_picture_input(const Sampler& sampler) {
 InputContent read_cube_input(const Sampler& sampler) {
     std::vector<Image> pictures;
     for (const fs::path& file : sampler.files) pictures.push_back(read_coloured(file));
-    Cube cube = make_cube(pictures);
+    Cube cube;
+    try {
+        cube = make_cube(pictures);
+    } catch (const std::runtime_error& problem) {
+        const std::string more = sampler.files.size() > 1 ? " and the others" : "";
+        throw std::runtime_error(fmt::format("Cannot make a cube of {}{}: {}",
+                                             sampler.files.front().string(), more, problem.what()));
+    }
     if (sampler.vflip) turn_over(cube);
     return {.size = glm::ivec2(cube.side),
             .slices = static_cast<int>(kCubeFaces),

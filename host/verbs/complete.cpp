@@ -94,6 +94,7 @@ public:
         if (kind == kFolder) return say_result(":folders\n");
         if (kind == kTweak || kind == kVaried) return offer_tweaks(kind == kVaried);
         if (kind == kPass) return offer_passes();
+        if (of.get_name() == "--quality") offer_qualities();
         for (const std::string& word : menu_of(of)) offer(word);
     }
 
@@ -118,6 +119,12 @@ private:
         if (!opened) return;
         offer("image");
         for (const Pass& pass : opened->scene.passes) offer(pass.name);
+    }
+
+    void offer_qualities() const {
+        const std::optional<Preset> opened = preset();
+        if (!opened) return;
+        for (const QualitySet& quality : opened->qualities) offer(quality.name);
     }
 
     void offer_tweaks(bool varied) const {

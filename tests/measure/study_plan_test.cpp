@@ -312,21 +312,23 @@ TEST(StudyReference, OfAMethodIsJudgedByQualityThatIsItsAlone) {
     Planned planned(
         "uniform int method; //@ 0 {hard, soft} quality reference=1\n"
         "uniform int shadows; //@ 16 [1, 64] quality\n"
-        "uniform int rays; //@ 4 [1, 64] quality\n");
+        "uniform int rays; //@ 4 [1, 64] quality\n"
+        "uniform float blur; //@ 0.5 quality\n");
     planned.facts.read_with = [](std::size_t, const TweakValue& method) {
-        return std::vector<bool>{true, method[0] == 1.0, true};
+        return std::vector<bool>{true, method[0] == 1.0, true, true};
     };
     const KnobValue own = *planned.only({.vary = {"method"}}).second;
     EXPECT_EQ(own.text, "soft, its own quality doubled");
     EXPECT_EQ(own.setting.values[1][0], 32.0);
     EXPECT_EQ(own.setting.values[2][0], 4.0);
     planned.facts.read_with = [](std::size_t, const TweakValue&) {
-        return std::vector<bool>{true, true, true};
+        return std::vector<bool>{true, true, true, true};
     };
     const KnobValue all = *planned.only({.vary = {"method"}}).second;
     EXPECT_EQ(all.text, "soft, all other quality doubled");
     EXPECT_EQ(all.setting.values[1][0], 32.0);
     EXPECT_EQ(all.setting.values[2][0], 8.0);
+    EXPECT_EQ(all.setting.values[3][0], 0.5) << "without a range it is left out";
 }
 
 TEST(StudyReference, OfAMethodThatAccumulatesHasSettled) {

@@ -26,6 +26,7 @@ TEST_F(Usage, IsRefusedWithASentenceThatNamesTheOption) {
         {{"still"}, "error: "},
         {{"render", "scene.frag"}, "There is no verb 'render'; `glint --help` lists those"},
         {{"scene.frag", "-o", "out.png"}, "`glint still scene.frag -o picture.png` writes a pict"},
+        {{"-x", "scene.frag"}, "There is no option -x here; `glint --help` lists"},
         {{"still", "scene.frag"}, "--output"},
         {{"still", "-o", "out.png"}, "file"},
         {{"still", "scene.frag", "-o", "out.png", "--bogus"}, "--bogus"},

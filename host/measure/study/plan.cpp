@@ -273,6 +273,7 @@ std::optional<KnobValue> Planner::with_work(const Tweak& tweak, const Knob& knob
     const auto multiply_work = [&](const Tweak& of, double by) {
         Knob one{.reference = value(of, of.reference.value_or(preset_.values[index(of)]))};
         for (const TweakValue& v : values_of(of)) one.values.push_back(value(of, v));
+        if (one.values.empty() && !of.reference) return;  // which is left out
         if (!one.values.empty() && of.reference) choose_direction(of, one);
         multiply(of, one.more_is_better ? by : 1.0 / by);
     };
