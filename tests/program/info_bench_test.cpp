@@ -150,6 +150,9 @@ TEST_F(InfoAndBench, BenchHasTheDocumentedKeys) {
     EXPECT_LE(ms["median"], ms["p95"]);
     ASSERT_EQ(bench["passes"].size(), 4u);
     EXPECT_EQ(named(bench["passes"], "still")["runs"], "on change");
+    EXPECT_EQ(named(bench["passes"], "ticks")["drawn"], 20);
+    const Outcome told = glint({"bench", "scene.frag", "--size", "64x36", "--frames", "5"});
+    EXPECT_NE(told.out.find("every step, 4 a frame of "), std::string::npos) << told.out;
     EXPECT_EQ(named(bench["passes"], "ticks")["runs"], "every step");
     EXPECT_GT(named(bench["passes"], "image")["ms"].get<double>(), 0.0);
 }
