@@ -1,41 +1,15 @@
 #include "window/live/playground.h"
 
 #include "base/readable_file.h"
+#include "scene/look_changes.h"
 #include "scene/preset_writer.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace glint {
 namespace {
-
-// Tweaks whose value in the file is another than when it was last read: those that a person changed
-// there, and not in the panels. Returns the names of those that had another value here, of no file.
-std::vector<std::string> apply_saved_changes(const Preset& before, const Preset& now,
-                                             TweakValues& tweaks) {
-    std::vector<std::string> overruled;
-    for (std::size_t i = 0; i < now.scene.tweaks.size(); ++i) {
-        const Tweak& tweak = now.scene.tweaks[i];
-        const auto& old = before.scene.tweaks;
-        const auto locks = [&](const Preset& preset) {
-            return std::ranges::find(preset.locked, tweak.name) != preset.locked.end();
-        };
-        const auto same = std::find_if(old.begin(), old.end(), [&](const Tweak& t) {
-            return t.name == tweak.name && t.type == tweak.type;
-        });
-        if (same == old.end()) {
-            if (locks(now)) tweaks.lock(i, true);
-            continue;
-        }
-        const TweakValue& was = before.values[static_cast<std::size_t>(same - old.begin())];
-        const bool default_moved = was == same->initial && now.values[i] == tweak.initial;
-        const TweakValue here = tweaks.value(i);
-        if (was != now.values[i] && !default_moved) tweaks.set(i, now.values[i]);
-        if (tweaks.value(i) != here && here != was) overruled.push_back(tweak.name);
-        if (locks(before) != locks(now)) tweaks.lock(i, locks(now));
-    }
-    return overruled;
-}
 
 // The files of a text, and those that its samplers name.
 std::vector<std::filesystem::path> watched_files(const std::vector<std::filesystem::path>& texts,
@@ -101,7 +75,7 @@ TweakValues Playground::tweaks_with(const Preset& text, std::vector<std::string>
     }
     TweakValues next = tweaks;
     next.rebase(text.scene.tweaks, text.values);
-    std::vector<std::string> names = apply_saved_changes(*written, text, next);
+    std::vector<std::string> names = lay_changes_over(*written, text, next);
     if (overruled) *overruled = std::move(names);
     return next;
 }
@@ -306,20 +280,21 @@ void Playground::go_on_in(const std::filesystem::path& file, const Preset& prese
 }
 
 bool Playground::is_as_read(const std::string& text) const {
-    if (!as_written()) return false;
+    return as_written() && write_preset(without_fills(), reloader_.file(), text).text == text;
+}
+
+Preset Playground::without_fills() const {
     Preset written = *as_written();
     for (std::size_t i = 0; i < laid_over_.size(); ++i)
         if (laid_over_[i]) written.channels[i] = {};
-    return write_preset(written, reloader_.file(), text).text == text;
+    return written;
 }
 
 Preset Playground::current_preset() const {
     Preset preset = *preset_;
     preset.values = tweaks.values();
     preset.locked = tweaks.locks();
-    for (const std::string& name : preset_->locked)
-        if (std::ranges::find(preset.scene.tweaks, name, &Tweak::name) == preset.scene.tweaks.end())
-            preset.locked.push_back(name);
+    std::ranges::copy(locks_without_tweak(*preset_), std::back_inserter(preset.locked));
     preset.time = instant_.time;
     return preset;
 }

@@ -79,6 +79,8 @@ public:
     Renderer* renderer() { return renderer_.get(); }
     // What is shown as its file has it, without what was changed here; null until it is shown.
     const Preset* as_written() const { return reloader_.as_written(); }
+    // The same, but for the channels that were filled here. While it is shown.
+    Preset without_fills() const;
     // Whether this text of the file says what was read from it, or given to it, last.
     bool is_as_read(const std::string& text) const;
 
@@ -87,6 +89,7 @@ public:
         reloader_.note_saved(preset);
         tweaks.set_written(preset.values);
         fills_ = {};
+        laid_over_ = {};
     }
     // What is shown has its file's name from now on, which has just been given this. All goes on:
     // time, buffers, undo.

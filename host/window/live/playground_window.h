@@ -140,7 +140,9 @@ private:
     bool is_gone() const;
     void let_go_of_work();
     void find_unsaved();
+    TweakSet offered_set() const;
     ReadPreset read_offer() const;
+    bool says_what_stands(const Preset& look) const;
     void restore();
     struct Kept;
     Kept work(TweakSet set) const;
@@ -276,11 +278,11 @@ private:
     };
     std::optional<Overwriting> overwriting_;  // the question is whether to
     std::optional<Leaving> leaving_;          // once a person has said what becomes of the unsaved
-    std::optional<std::string> offer_;        // the unsaved work of the last run, as a preset
+    std::optional<UnsavedLook> offer_;        // the unsaved work of the last run
     bool has_restored_ = false;               // some of it, of this file
     // What the state folder holds, and since when.
     struct Kept {
-        std::vector<TweakValue> values;
+        std::vector<TweakValue> values, written;  // here, in the file
         std::size_t events = 0;
         std::vector<std::string> channels;  // as TOML
         std::vector<std::string> locked, watch;

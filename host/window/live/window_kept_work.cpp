@@ -1,5 +1,6 @@
 // What is kept of unsaved work, of both sets of tweaks, for the run after a crash, and its offer.
 #include "base/canonical_name.h"
+#include "scene/look_changes.h"
 #include "scene/preset_writer.h"
 #include "scene/toml_text.h"
 #include "window/live/playground_window.h"
@@ -7,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <span>
 #include <utility>
 
@@ -65,6 +67,7 @@ void PlaygroundWindow::let_go_of_work() {
 PlaygroundWindow::Kept PlaygroundWindow::work(TweakSet set) const {
     const Preset now = preset_to_save();
     return {playground_.tweaks.values(set),
+            playground_.as_written()->values,
             unsaved_events().size(),
             channel_texts(*playground_.preset()),
             now.locked,
@@ -112,14 +115,18 @@ void PlaygroundWindow::keep_now(TweakSet set) {
     kept_[place_of(set)] = work(set);
     Preset preset = preset_to_save();
     preset.values = playground_.tweaks.values(set);
+    Preset file = playground_.without_fills();
     for (const TweakValues::Waiting& one : playground_.tweaks.waiting()) {
         preset.scene.tweaks.push_back(one.tweak);
         preset.values.push_back(one.value);
+        file.scene.tweaks.push_back(one.tweak);
+        file.values.push_back(one.written);
     }
-    const PresetText text = write_preset(preset, place_beside(place_));
+    const fs::path place = place_beside(place_);
+    const PresetText text = write_preset(preset, place), written = write_preset(file, place);
     try {
         if (!text.text) throw std::runtime_error(to_string(text.diagnostics.front()));
-        unsaved_work_.keep(place_, *text.text, place_of(set));
+        unsaved_work_.keep(place_, {*text.text, written.text}, place_of(set));
     } catch (const std::runtime_error& error) {
         notice(fmt::format("Unsaved work cannot be kept for the next start. {}", error.what()));
     }
@@ -133,22 +140,55 @@ void PlaygroundWindow::keep_at_end() {
         if (has_work(set)) keep_now(set);
 }
 
-// The offer as the text on the screen, which may change meanwhile, takes it.
+// The set that has it once it is restored: what was restored before stays, for of the last run's
+// two sets this is the other one.
+TweakSet PlaygroundWindow::offered_set() const {
+    const TweakSet shown = playground_.tweaks.shown();
+    return has_restored_ ? other_set(shown) : shown;
+}
+
+// The work that is offered, as a look of the text on the screen, which may change meanwhile: laid
+// over what the file says by now.
 ReadPreset PlaygroundWindow::read_offer() const {
-    return parse_preset(*offer_, place_beside(place_), playground_.preset()->scene);
+    const Preset& shown = *playground_.preset();
+    const Preset& now = *playground_.as_written();
+    ReadPreset read = parse_preset(offer_->text, place_beside(place_), shown.scene);
+    if (!read.preset || !offer_->written) return read;
+    const std::optional<Preset> then =
+        parse_preset(*offer_->written, place_beside(place_), shown.scene).preset;
+    if (!then) return read;
+    Preset& look = *read.preset;
+    TweakValues tweaks(shown.scene.tweaks, playground_.tweaks.values(offered_set()));
+    tweaks.set_locks(playground_.tweaks.locks());
+    lay_changes_over(*then, look, tweaks);
+    look.values = tweaks.values();
+    look.locked = tweaks.locks();
+    std::ranges::copy(locks_without_tweak(now), std::back_inserter(look.locked));
+    if (same(look.events, then->events)) look.events = now.events;
+    if (look.watch == then->watch) look.watch = now.watch;
+    if (look.time == then->time) look.time = now.time;
+    const std::vector<std::string> found = channel_texts(look), before = channel_texts(*then);
+    for (std::size_t i = 0; i < found.size(); ++i)
+        if (found[i] == before[i]) look.channels[i] = shown.channels[i];
+    return read;
+}
+
+// Whether nobody would see that it was restored.
+bool PlaygroundWindow::says_what_stands(const Preset& look) const {
+    const TweakValues& tweaks = playground_.tweaks;
+    const Preset& written = *playground_.as_written();
+    const bool has_values =
+        look.values == tweaks.values() || look.values == tweaks.values(offered_set());
+    return has_values && same(look.events, playground_.preset()->events) &&
+           std::ranges::is_permutation(look.locked, written.locked) && look.watch == watch() &&
+           look.time == written.time && channel_texts(look) == channel_texts(*playground_.preset());
 }
 
 // The newest work that a run has left on this file, unless it is what the file says anyway.
 void PlaygroundWindow::find_unsaved() {
     while ((offer_ = unsaved_work_.find(place_))) {
         const ReadPreset read = read_offer();
-        if (read.preset &&
-            (read.preset->values != playground_.tweaks.values() ||
-             !same(read.preset->events, playground_.preset()->events) ||
-             !std::ranges::is_permutation(read.preset->locked, playground_.as_written()->locked) ||
-             read.preset->watch != watch() || read.preset->time != playground_.as_written()->time ||
-             channel_texts(*read.preset) != channel_texts(*playground_.preset())))
-            return;
+        if (read.preset && !says_what_stands(*read.preset)) return;
         if (!read.preset)
             notice(fmt::format("The work that was kept of {} is damaged; it stays in {}.",
                                place_.filename().string(), unsaved_work_.found_folder().string()));
@@ -163,9 +203,8 @@ void PlaygroundWindow::find_unsaved() {
 void PlaygroundWindow::restore() {
     const ReadPreset read = read_offer();
     if (!read.preset) return;
-    // What was restored before stays: of the last run's two sets this is the other one.
-    if (std::exchange(has_restored_, true))
-        playground_.tweaks.show(other_set(playground_.tweaks.shown()));
+    playground_.tweaks.show(offered_set());
+    has_restored_ = true;
     if (!same(read.preset->events, playground_.as_written()->events))
         recorded_ = read.preset->events;
     const std::vector<std::string> mine = channel_texts(*playground_.preset());
