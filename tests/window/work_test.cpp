@@ -399,6 +399,25 @@ TEST_F(Work, OnTheSceneBeforeIsSavedByItsOwnPresetWhereAnotherIsBroken) {
     EXPECT_NE(read(copy).find("time = 2.5\n"), std::string::npos) << read(copy);
 }
 
+TEST_F(Work, OnTheSceneBeforeIsOfferedByItsOwnFileWhereTheOtherIsRepaired) {
+    open_look();
+    const fs::path broken = folder_->path() / "broken.toml";
+    write(broken, "scene = \n");
+    EXPECT_TRUE(screen_->drop(broken));
+    ASSERT_TRUE(glint_->says("broken.toml: not shown")) << glint_->errors();
+    const int changed = change();
+    EXPECT_TRUE(eventually([&] { return levels_in(kept()) == 1; })) << kept();
+    write(folder_->path() / "other.frag", flat({90, 51, 70}));
+    write(broken, "scene = \"other.frag\"\n");
+    EXPECT_TRUE(eventually([&] { return red() == 90; })) << red();
+    EXPECT_TRUE(becomes_unsaved(false));
+    EXPECT_EQ(levels_in(kept()), 1) << kept();
+    EXPECT_TRUE(screen_->drop(look()));
+    EXPECT_TRUE(eventually([&] { return red() != 90; }));
+    EXPECT_TRUE(asks());
+    EXPECT_TRUE(enter_until([&] { return red() == changed; })) << red();
+}
+
 // Flipping between A and B hides one of them, which is then asked for by name of what is seen.
 TEST_F(Work, OfTheSetThatIsHiddenIsAskedForAndOutlivesACrash) {
     open_look();

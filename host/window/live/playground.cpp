@@ -170,6 +170,7 @@ Diagnostics Playground::put_in_place(const Preset& candidate, Programs programs,
         if (renderer && previous) previous->adopt(*renderer);
         return {{.place = {.file = reloader_.file().string()}, .text = error.what()}};
     }
+    if (is_text && !written && renderer_) before_other_scene();
     touched_ |= constants_ && *constants_ != preset->values;
     touched_ |= renderer_ && renderer_->has_maps_left();
     programs_.note_drawn(programs, is_text, renderer_.get(), !constants_);

@@ -26,6 +26,7 @@
 
 #include <array>
 #include <deque>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -65,6 +66,10 @@ public:
     // Opens a scene or a preset, or this one anew. What was open stays on the screen until the new
     // one draws, and for good where it cannot.
     void open(const std::filesystem::path& file);
+
+    // Called before the scene of another file takes the place of what is shown, which still stands
+    // then, with its tweaks.
+    std::function<void()> before_other_scene = [] {};
 
     // Follows files and trials; does not wait. True when something has changed that a person sees.
     bool update();

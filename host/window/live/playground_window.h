@@ -118,6 +118,11 @@ private:
     void stop_recording();
 
     // Unsaved work, which the state folder keeps for the next run
+    const Preset* written() const;
+    std::filesystem::path shown_file() const;
+    void stay_with_scene();
+    void leave_scene();
+    void begin_work();
     bool is_unsaved() const;
     bool differs_from_file() const;
     bool has_worked(TweakSet set) const;
@@ -261,10 +266,13 @@ private:
     std::filesystem::path folder_{"."};  // whose files the browser lists
     std::filesystem::path place_;  // the same for every name of it, wherever the program stands
     bool values_known_ = false;    // the file has been shown
-    // Of the scene that is on the screen until the file is shown, as it was left: its values, and
-    // when its file starts, s.
-    std::vector<TweakValue> left_values_;
-    double left_time_ = 0.0;
+    // The scene that is on the screen until the file is shown, for good where it cannot be: the
+    // file that it was opened by, and the look in which it was left.
+    struct Left {
+        std::filesystem::path place;  // as place_
+        Preset look;
+    };
+    std::optional<Left> left_;
     // Of the sets A and B: which have values that the file lacks, and the values at which nobody
     // has worked in one: those of the file, as it is or was.
     std::array<bool, 2> worked_in_{};

@@ -88,6 +88,7 @@ PlaygroundWindow::PlaygroundWindow(const ViewOptions& options)
       refiner_(options.device),
       probe_(options.device),
       kept_resolutions_(home_folder("XDG_STATE_HOME", ".local/state") / "resolution") {
+    playground_.before_other_scene = [this] { leave_scene(); };
     window_.show();
     std::error_code error;
     if (options.file.empty() || fs::is_directory(options.file, error)) {
@@ -421,7 +422,9 @@ void PlaygroundWindow::print_reports() {
         } else if (reports[i].shown && !is_preset(reports[i].file)) {
             stop_findings();  // they are about another text
         }
-        empty_channels_ = empty_channels(playground_);
+        // What is filled is filled in the file that is open.
+        empty_channels_.clear();
+        if (values_known_) empty_channels_ = empty_channels(playground_);
         dirty_ = true;
     }
     printed_reports_ = total;

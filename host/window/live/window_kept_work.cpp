@@ -43,7 +43,7 @@ fs::path place_beside(const fs::path& place) {
 // saved, and none that may be lost.
 bool PlaygroundWindow::has_work(TweakSet set) const {
     if (set != playground_.tweaks.shown()) return hides_work();
-    return is_unsaved() || !playground_.tweaks.waiting().empty();
+    return is_unsaved() || (values_known_ && !playground_.tweaks.waiting().empty());
 }
 
 bool PlaygroundWindow::is_keeping_due(TweakSet set) const {
@@ -52,7 +52,7 @@ bool PlaygroundWindow::is_keeping_due(TweakSet set) const {
 }
 
 bool PlaygroundWindow::is_keeping_due() const {
-    if (!values_known_) return false;  // what is on the screen is no work on this file
+    if (!written()) return false;
     return std::ranges::any_of(kTweakSets, [&](TweakSet set) { return is_keeping_due(set); });
 }
 
@@ -67,7 +67,7 @@ void PlaygroundWindow::let_go_of_work() {
 PlaygroundWindow::Kept PlaygroundWindow::work(TweakSet set) const {
     const Preset now = preset_to_save();
     return {playground_.tweaks.values(set),
-            playground_.as_written()->values,
+            written()->values,
             unsaved_events().size(),
             channel_texts(*playground_.preset()),
             now.locked,
@@ -78,16 +78,16 @@ PlaygroundWindow::Kept PlaygroundWindow::work(TweakSet set) const {
 
 // Whether the set that is shown has work that would be lost once it is hidden.
 void PlaygroundWindow::note_work() {
-    const Preset* written = values_known_ ? playground_.as_written() : nullptr;
-    if (!written) return;
+    if (!written()) return;
+    const std::vector<TweakValue>& file = written()->values;
     for (const TweakSet set : kTweakSets) {
         const std::vector<TweakValue> values = playground_.tweaks.values(set);
         std::vector<TweakValue>& at_rest = at_rest_[place_of(set)];
         // Another text may have more tweaks, or fewer.
         const bool is_other_text = !at_rest.empty() && values.size() != at_rest.size();
-        if (at_rest.empty()) at_rest = written->values;
+        if (at_rest.empty()) at_rest = file;
         const bool has_rested = is_other_text && !worked_in_[place_of(set)];
-        if (values == written->values || has_rested) at_rest = values;
+        if (values == file || has_rested) at_rest = values;
     }
     const TweakSet shown = playground_.tweaks.shown();
     worked_in_[place_of(shown)] = has_worked(shown);
@@ -96,7 +96,7 @@ void PlaygroundWindow::note_work() {
 // As soon as something changes, and before the frame that shows it, which may be the last one.
 void PlaygroundWindow::keep_unsaved() {
     note_work();
-    if (!values_known_) return;
+    if (!written()) return;
     for (const TweakSet set : kTweakSets) keep_unsaved(set);
 }
 
@@ -115,18 +115,19 @@ void PlaygroundWindow::keep_now(TweakSet set) {
     kept_[place_of(set)] = work(set);
     Preset preset = preset_to_save();
     preset.values = playground_.tweaks.values(set);
-    Preset file = playground_.without_fills();
+    const fs::path& place = left_ ? left_->place : place_;
+    Preset file = left_ ? left_->look : playground_.without_fills();
     for (const TweakValues::Waiting& one : playground_.tweaks.waiting()) {
         preset.scene.tweaks.push_back(one.tweak);
         preset.values.push_back(one.value);
         file.scene.tweaks.push_back(one.tweak);
         file.values.push_back(one.written);
     }
-    const fs::path place = place_beside(place_);
-    const PresetText text = write_preset(preset, place), written = write_preset(file, place);
+    const PresetText text = write_preset(preset, place_beside(place));
+    const PresetText says = write_preset(file, place_beside(place));
     try {
         if (!text.text) throw std::runtime_error(to_string(text.diagnostics.front()));
-        unsaved_work_.keep(place_, {*text.text, written.text}, place_of(set));
+        unsaved_work_.keep(place, {*text.text, says.text}, place_of(set));
     } catch (const std::runtime_error& error) {
         notice(fmt::format("Unsaved work cannot be kept for the next start. {}", error.what()));
     }
@@ -135,7 +136,7 @@ void PlaygroundWindow::keep_now(TweakSet set) {
 // Nobody can be asked any more.
 void PlaygroundWindow::keep_at_end() {
     stop_recording();
-    if (!values_known_) return;
+    if (!written()) return;
     for (const TweakSet set : kTweakSets)
         if (has_work(set)) keep_now(set);
 }
