@@ -407,6 +407,8 @@ TEST_F(Work, OnTheSceneBeforeIsOfferedByItsOwnFileWhereTheOtherIsRepaired) {
     ASSERT_TRUE(glint_->says("broken.toml: not shown")) << glint_->errors();
     const int changed = change();
     EXPECT_TRUE(eventually([&] { return levels_in(kept()) == 1; })) << kept();
+    screen_->tap("F12");
+    EXPECT_TRUE(eventually([&] { return fs::exists(folder_->path() / "look-0001.png"); }));
     write(folder_->path() / "other.frag", flat({90, 51, 70}));
     write(broken, "scene = \"other.frag\"\n");
     EXPECT_TRUE(eventually([&] { return red() == 90; })) << red();

@@ -439,7 +439,7 @@ void PlaygroundWindow::notice(std::string text) {
 void PlaygroundWindow::take_still() {
     if (!playground_.is_open()) return;
     if (playground_.replayed() < 1.0) return notice("A still waits for the end of the replay.");
-    const fs::path name = free_picture_name(file_);
+    const fs::path name = free_picture_name(shown_file());
     try {
         write_image(name, playground_.still(), playground_.still_metadata());
         notice(fmt::format("{} written", name.string()));
