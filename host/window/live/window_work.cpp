@@ -369,12 +369,12 @@ bool PlaygroundWindow::is_gone() const {
     return values_known_ && playground_.as_written() && !fs::exists(file_, unknown);
 }
 
-// Into what the file holds, or, where it is new, into a copy of the preset that is open.
+// Into what the file holds of the same scene, or else into a copy of the preset that is open.
 bool PlaygroundWindow::write_look(const Preset& preset, const fs::path& file) {
-    std::error_code unknown;
     const fs::path from = shown_file();
-    const fs::path model = fs::exists(file, unknown) ? file : is_preset(from) ? from : fs::path();
-    const PresetText text = write_preset(preset, file, read_text(model));
+    std::string model = read_text(file);
+    if (!names_scene(model, file, preset.scene)) model = is_preset(from) ? read_text(from) : "";
+    const PresetText text = write_preset(preset, file, model);
     if (!text.text) {
         notice(text.diagnostics.empty() ? "The preset cannot be saved."
                                         : to_string(text.diagnostics.front()));
