@@ -72,6 +72,9 @@ private:
         return settings_.view.sampler.empty() && settings_.view.zoom == 0.0 &&
                settings_.shown == Shown::scene;
     }
+    // Whether something can be magnified: a panel is open for that, or a study's picture is shown.
+    bool looks_inside() const { return settings_.passes || settings_.shown != Shown::scene; }
+    void settle_view();
 
     // What panels and shortcuts ask for
     void grant(const Wishes& wishes);

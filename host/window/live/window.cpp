@@ -237,6 +237,7 @@ void PlaygroundWindow::draw_frame() {
         panels_.rescale(content_scale_);
     }
     dirty_ = false;
+    settle_view();
     const bool drawn = !answers_first() && draw_scene();
     const Stopwatch clock;
     show_picture();
