@@ -47,7 +47,9 @@ ReloadSteps Playground::reload_steps() {
         .read =
             [this](const std::filesystem::path& file) {
                 ReadPreset read = read_preset(file);
-                if (read.preset) lay_fills_over(*read.preset);
+                if (!read.preset) return read;
+                lay_fills_over(*read.preset);
+                tell_failed_inputs(read);
                 return read;
             },
         .watch =
@@ -92,6 +94,7 @@ void Playground::start_trial(const Preset& candidate, Programs programs, bool is
 
 void Playground::open(const std::filesystem::path& file) {
     fills_ = {};
+    failed_inputs_.clear();
     programs_.forget_costs();
     watcher_.about_to_read();
     reloader_.open(file);

@@ -256,6 +256,7 @@ private:
     void load_missing_inputs();
     void follow_inputs();
     void take_input(InputLoader::Loaded loaded);
+    void tell_failed_inputs(ReadPreset& read) const;
     void send_arriving();
     void show_arrived();
     bool awaits_inputs() const { return inputs_.is_loading() || !arriving_.empty(); }
@@ -326,6 +327,8 @@ private:
     InputLoader inputs_;
     StartStates start_states_;
     KeptMaps kept_maps_;
+    // Those whose file could not be read the last time; the picture may have one from before.
+    std::vector<InputLoader::Loaded> failed_inputs_;
     // Read, and on the way to the driver.
     struct Arriving {
         InputLoader::Loaded loaded;
