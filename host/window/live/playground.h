@@ -182,7 +182,9 @@ public:
     void key(int code, bool down);
     // Records both from now on, into `recorder`, as what goes on after these.
     void start_recording(std::span<const Event> before) {
-        recorder.start(instant_.time, input_, before);
+        const InputReads reads{.mouse = renderer_ && renderer_->reads_mouse(),
+                               .keys = renderer_ && renderer_->reads_keyboard()};
+        recorder.start(instant_.time, input_, before, reads);
     }
 
     // `tweaks` were changed: the next frame shows it.

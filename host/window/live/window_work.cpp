@@ -56,10 +56,11 @@ std::vector<Event> PlaygroundWindow::with_written_events(std::span<const Event> 
     const auto before =
         own.begin() + static_cast<std::ptrdiff_t>(std::min(written_before_, own.size()));
     const auto after =
-        std::ranges::upper_bound(before, own.end(), recorded.back().time, {}, &Event::time);
+        std::ranges::upper_bound(before, own.end(), playground_.instant().time, {}, &Event::time);
     std::vector<Event> all(own.begin(), before);
     all.insert(all.end(), recorded.begin(), recorded.end());
     all.insert(all.end(), after, own.end());
+    std::ranges::stable_sort(all, {}, &Event::time);  // what is let go comes behind the last frame
     return all;
 }
 
