@@ -135,10 +135,12 @@ std::vector<Event> Recorder::releases() const {
 std::vector<Event> Recorder::stop() {
     const std::vector<Event> released = releases();
     pending_.resize(seen_);
-    if (recording_ && seen_ > 0) frame(last_time_ + kNextFrame);
+    recording_ = true;  // also where time has gone back
+    if (seen_ > 0) frame(last_time_ + kNextFrame);
     pending_ = released;
-    if (recording_ && !released.empty()) frame(last_time_ + kNextFrame);
+    if (!released.empty()) frame(last_time_ + kNextFrame);
     recording_ = false;
+    own_ = seen_own_ = {};
     pending_.clear();
     seen_ = 0;
     return std::exchange(events_, {});

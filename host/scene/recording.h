@@ -42,7 +42,8 @@ public:
     // What a preset's events did, at its own time since the last frame.
     void replayed(const Event& event);
 
-    // The frame at this time has seen all so far. Recording ends when time has gone back.
+    // The frame at this time has seen all so far. Recording ends when time has gone back; stop()
+    // has what was recorded until then.
     void frame(double time);
 
     // What has been recorded, in order of time.
@@ -56,6 +57,8 @@ public:
     std::vector<Event> stop();
 
     bool recording() const { return recording_; }
+    // The time of the last frame that was recorded.
+    double end() const { return last_time_; }
 
 private:
     // Keys and the button that are down.

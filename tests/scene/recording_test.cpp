@@ -245,6 +245,21 @@ TEST(Recorder, WhatIsHeldWhereRecordingEndsIsLetGoBehindIt) {
     EXPECT_EQ(events[4].mouse, glm::dvec2(0.25, 0.5));
 }
 
+TEST(Recorder, WhatWasDoneBeforeTimeWentBackIsHandedOut) {
+    Session session;
+    session.recorder.start(0.0, session.input);
+    session.key(66, true);
+    session.draw(1.0);
+    session.draw(0.0);
+    session.key(67, true);
+    session.draw(0.1);
+    EXPECT_EQ(session.recorder.end(), 1.0);
+    const std::vector<Event> events = session.recorder.stop();
+    ASSERT_EQ(events.size(), 2u);
+    EXPECT_EQ(events[0].key, 66);
+    EXPECT_FALSE(events[1].down);
+}
+
 TEST(Recorder, OfTheStateAtTheStartOnlyWhatIsReadIsSaid) {
     InputState state;
     state.key(65, true);
@@ -269,7 +284,7 @@ TEST(Recorder, EndsWhenTimeGoesBack) {
     EXPECT_FALSE(session.recorder.recording());
     session.key(67, true);
     session.draw(3.0);
-    EXPECT_EQ(session.recorder.stop().size(), 1u);
+    EXPECT_EQ(session.recorder.stop().size(), 2u) << "it is let go";
     EXPECT_TRUE(session.recorder.stop().empty());
 }
 

@@ -149,5 +149,24 @@ TEST_F(Recording, WhatIsHeldAtItsEndIsLetGoAndWhatNobodyReadsIsNotSaidAtItsStart
     EXPECT_EQ(count("down = false"), 2) << saved;
 }
 
+TEST_F(Recording, ThatEndsWhereTimeGoesBackIsThereToBeSaved) {
+    const fs::path preset = folder_->path() / "back.toml";
+    write(scene(),
+          "void mainImage(out vec4 c, in vec2 p) { c = vec4(0.2, 0.2, fract(iTime), 1); }\n");
+    write(preset, "scene = \"scene.frag\"\n");
+    start({preset.string()});
+    ASSERT_TRUE(glint_->says(": shown")) << glint_->errors();
+    std::this_thread::sleep_for(200ms);
+    screen_->tap("F9");
+    std::this_thread::sleep_for(200ms);
+    screen_->tap("b");
+    std::this_thread::sleep_for(200ms);
+    screen_->tap("Control_L+r");
+    std::this_thread::sleep_for(200ms);
+    screen_->tap("Control_L+s");
+    EXPECT_TRUE(eventually([&] { return read(preset).find("\"b\"") != std::string::npos; }, 20.0))
+        << read(preset);
+}
+
 }  // namespace
 }  // namespace glint::window::recording_test

@@ -119,6 +119,8 @@ private:
     void revert();
     void toggle_recording();
     void stop_recording();
+    void follow_recording();
+    void tell_recorded();
 
     // Unsaved work, which the state folder keeps for the next run
     const Preset* written() const;
@@ -134,7 +136,8 @@ private:
     void show_hidden_work();
     void note_work();
     std::vector<Event> unsaved_events() const;
-    std::vector<Event> with_written_events(std::span<const Event> recorded) const;
+    // `end` is the time of the last frame of what is recorded.
+    std::vector<Event> with_written_events(std::span<const Event> recorded, double end) const;
     void start_recording();
     Preset preset_to_save() const;
     void lay_options_over();
@@ -280,7 +283,8 @@ private:
     // has worked in one: those of the file, as it is or was.
     std::array<bool, 2> worked_in_{};
     std::array<std::vector<TweakValue>, 2> at_rest_;
-    std::vector<Event> recorded_;        // all that the preset is to have
+    std::vector<Event> recorded_;  // all that the preset is to have
+    bool records_ = false;
     std::size_t written_before_ = 0;     // events of the file that go before what is recorded
     std::size_t recorded_at_start_ = 0;  // of what is recorded: they did not happen in it
     std::optional<double> start_time_;   // s; a person asked for it to be saved

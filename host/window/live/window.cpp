@@ -227,6 +227,7 @@ bool PlaygroundWindow::draw_scene() {
     frame_due_ = 1.0 / window_.refresh_rate();
     const double drawn_at = clock_seconds();
     const bool drawn = playground_.draw(elapsed);
+    follow_recording();
     follow_sound(drawn_at);
     return drawn;
 }

@@ -45,18 +45,18 @@ fs::path PlaygroundWindow::shown_file() const {
 
 std::vector<Event> PlaygroundWindow::unsaved_events() const {
     const Recorder& recorder = playground_.recorder;
-    return recorder.recording() ? with_written_events(recorder.events()) : recorded_;
+    return records_ ? with_written_events(recorder.events(), recorder.end()) : recorded_;
 }
 
 // Between those of the file that go before and after; while it lasted the file's own were recorded,
 // too. Nothing where nothing happened.
-std::vector<Event> PlaygroundWindow::with_written_events(std::span<const Event> recorded) const {
+std::vector<Event> PlaygroundWindow::with_written_events(std::span<const Event> recorded,
+                                                         double end) const {
     if (recorded.size() <= recorded_at_start_ || !written()) return {};
     const std::vector<Event>& own = written()->events;
     const auto before =
         own.begin() + static_cast<std::ptrdiff_t>(std::min(written_before_, own.size()));
-    const auto after =
-        std::ranges::upper_bound(before, own.end(), playground_.instant().time, {}, &Event::time);
+    const auto after = std::ranges::upper_bound(before, own.end(), end, {}, &Event::time);
     std::vector<Event> all(own.begin(), before);
     all.insert(all.end(), recorded.begin(), recorded.end());
     all.insert(all.end(), after, own.end());
@@ -73,6 +73,7 @@ void PlaygroundWindow::start_recording() {
     written_before_ = before.size();
     playground_.start_recording(before);
     recorded_at_start_ = playground_.recorder.events().size();
+    records_ = true;
     notice("Recording mouse and keys");
 }
 
@@ -438,21 +439,30 @@ void PlaygroundWindow::tell_overruled() {
 
 void PlaygroundWindow::toggle_recording() {
     if (!playground_.is_open()) return notice("Nothing is open.");
-    if (playground_.recorder.recording()) {
-        stop_recording();
-        notice(recorded_.empty()
-                   ? "Nothing was done, and nothing is recorded"
-                   : fmt::format("Recorded, {} events in all; save the preset to keep them",
-                                 recorded_.size()));
-    } else {
-        leave({Leaving::For::record, {}});
-    }
+    if (!records_) return leave({Leaving::For::record, {}});
+    stop_recording();
+    tell_recorded();
+}
+
+void PlaygroundWindow::tell_recorded() {
+    notice(recorded_.empty()
+               ? "Nothing was done, and nothing is recorded"
+               : fmt::format("Recorded, {} events in all; save the preset to keep them",
+                             recorded_.size()));
 }
 
 void PlaygroundWindow::stop_recording() {
-    if (!playground_.recorder.recording()) return;
-    recorded_ = with_written_events(playground_.recorder.stop());
+    if (!std::exchange(records_, false)) return;
+    const double end = playground_.recorder.end();
+    recorded_ = with_written_events(playground_.recorder.stop(), end);
     kept_ = {};
+}
+
+// Where time goes back, a recording has ended with what was done until then.
+void PlaygroundWindow::follow_recording() {
+    if (!records_ || playground_.recorder.recording()) return;
+    stop_recording();
+    tell_recorded();
 }
 
 // The command line's tweaks, and the values that it names by --quality, are changes like those by
