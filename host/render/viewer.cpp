@@ -22,8 +22,11 @@ uniform float gain;
 uniform bool toneCurve, markNotFinite;
 out vec4 colour;
 
-// By comparison: drivers fold arithmetic on NaN.
+// By comparison, one by one: drivers fold arithmetic on NaN, and all() of comparisons.
 bool isNotFinite(float v) { return !(abs(v) <= 3.402823e38); }
+bool isNotFinite(vec4 v) {
+    return isNotFinite(v.r) || isNotFinite(v.g) || isNotFinite(v.b) || isNotFinite(v.a);
+}
 
 void main() {
     vec2 uv = (gl_FragCoord.xy - area.xy) / area.zw;
@@ -31,14 +34,13 @@ void main() {
         colour = vec4(0.07, 0.07, 0.08, 1.0);
         return;
     }
-    vec4 v = texture(shown, uv);
-    if (markNotFinite) {
-        vec4 exact = texelFetch(shown, ivec2(uv * vec2(textureSize(shown, 0))), 0);
-        if (isNotFinite(exact.r) || isNotFinite(exact.g) || isNotFinite(exact.b) || isNotFinite(exact.a)) {
-            colour = vec4(1.0, 0.0, 1.0, 1.0);
-            return;
-        }
+    vec4 exact = texelFetch(shown, ivec2(uv * vec2(textureSize(shown, 0))), 0);
+    if (markNotFinite && isNotFinite(exact)) {
+        colour = vec4(1.0, 0.0, 1.0, 1.0);
+        return;
     }
+    vec4 v = texture(shown, uv);
+    if (isNotFinite(v)) v = exact;  // the filter spreads what is no number, also by a weight of 0
     vec3 c = channel == 0 ? v.rgb : channel == 1 ? v.rrr : channel == 2 ? v.ggg : channel == 3 ? v.bbb : v.aaa;
     c *= gain;
     if (toneCurve) c = max(c, 0.0) / (1.0 + max(c, 0.0));

@@ -53,6 +53,12 @@ toml::source_position last_end(const toml::node& node) {
     return last;
 }
 
+bool names_scene(const toml::table& root, const fs::path& folder, const Scene& scene) {
+    const auto name = root["scene"].value<std::string>();
+    return name &&
+           relative_path(folder / *name, folder) == relative_path(scene.files.front(), folder);
+}
+
 // The text of a preset, and where in it things stand.
 class Layout {
 public:
@@ -183,13 +189,14 @@ void Editor::remove_lines(const toml::key& key, const toml::node& node) {
 }
 
 void Editor::edit_root() {
-    const fs::path& scene = preset_.scene.files.front();
-    const toml::node* node = layout_.get("scene");
-    const auto name = node ? node->value<std::string>() : std::nullopt;
-    const std::string path = relative_path(scene, folder_);
-    set_root("scene", name && relative_path(folder_ / *name, folder_) == path, toml_string(path));
+    set_root("scene", names_scene(layout_.root, folder_, preset_.scene),
+             toml_string(relative_path(preset_.scene.files.front(), folder_)));
     const bool is_new = layout_.text.empty();
-    set_root("title", preset_.title == old_.title, toml_string(preset_.title));
+    const auto title = layout_.root.find("title");
+    if (preset_.title.empty() && title != layout_.root.end())
+        remove_lines(title->first, title->second);
+    else
+        set_root("title", preset_.title == old_.title, toml_string(preset_.title));
     set_root("time", preset_.time == old_.time && !is_new, toml_number(preset_.time));
     set_root("size", preset_.size == old_.size && !is_new,
              fmt::format("[{}, {}]", preset_.size.x, preset_.size.y));
@@ -497,6 +504,11 @@ PresetText write_preset(const Preset& preset, const fs::path& file, std::string_
     }
     result.text = std::move(text);
     return result;
+}
+
+bool names_scene(std::string_view text, const fs::path& file, const Scene& scene) {
+    const toml::parse_result parsed = toml::parse(text);
+    return parsed && names_scene(parsed.table(), file.parent_path(), scene);
 }
 
 }  // namespace glint

@@ -35,52 +35,60 @@ glm::dvec2 mouse_fraction(glm::dvec2 cursor, glm::ivec2 size) {
     return {five_decimals(x), five_decimals(y)};
 }
 
-void Recorder::start(double time, const InputState& state, std::span<const Event> before) {
+void Recorder::start(double time, const InputState& state, std::span<const Event> before,
+                     const InputReads& reads) {
     *this = {};
     recording_ = true;
     last_time_ = time;
     InputState replayed;
     for (const Event& event : before) replayed.apply(event);
-    for (const Event& event : state.as_events(0.0)) follow(event);
+    for (const Event& event : state.as_events(0.0)) held_.follow(event);
     events_ = state.as_events(std::max(time, 0.0), replayed);
+    std::erase_if(events_,
+                  [&](const Event& event) { return event.key >= 0 ? !reads.keys : !reads.mouse; });
+    for (const Event& event : events_) own_.follow(event);
+    seen_own_ = own_;
 }
 
-void Recorder::follow(const Event& event) {
+void Recorder::Held::follow(const Event& event) {
     if (event.key >= 0) {
-        held_[static_cast<std::size_t>(event.key)] = event.down;
+        keys[static_cast<std::size_t>(event.key)] = event.down;
     } else {
-        mouse_down_ = event.down;
-        position_ = event.mouse;
+        mouse = event.down;
+        position = event.mouse;
     }
 }
 
 void Recorder::mouse(glm::dvec2 fraction, bool down) {
     const bool is_number = std::isfinite(fraction.x) && std::isfinite(fraction.y);
-    const bool moves = down && mouse_down_;
-    if (!recording_ || (down && !is_number) || (!down && !mouse_down_)) return;
-    if (moves && fraction == position_) return;
-    mouse_down_ = down;
-    if (down) position_ = fraction;
+    const bool moves = down && held_.mouse;
+    if (!recording_ || (down && !is_number) || (!down && !held_.mouse)) return;
+    if (moves && fraction == held_.position) return;
+    // Where the button is let go does not count.
+    const Event event{.time = kNoTime, .down = down, .mouse = down ? fraction : held_.position};
+    held_.follow(event);
+    own_.follow(event);
     if (moves && last_move_) {
         pending_[*last_move_].mouse = fraction;
         return;
     }
-    // Where the button is let go does not count.
-    pending_.push_back({.time = kNoTime, .down = down, .mouse = position_});
+    pending_.push_back(event);
     last_move_ = moves ? std::optional(pending_.size() - 1) : std::nullopt;
 }
 
 void Recorder::key(int code, bool down) {
     if (!recording_ || code < 0 || code >= kKeyCount) return;
-    bool& held = held_[static_cast<std::size_t>(code)];
-    if (std::exchange(held, down) != down) {
-        pending_.push_back({.time = kNoTime, .key = code, .down = down});
-    }
+    if (held_.keys[static_cast<std::size_t>(code)] == down) return;
+    pending_.push_back({.time = kNoTime, .key = code, .down = down});
+    held_.follow(pending_.back());
+    own_.follow(pending_.back());
 }
 
+// What its events let go, or hold, is no longer a person's.
 void Recorder::replayed(const Event& event) {
     if (!recording_) return;
-    follow(event);
+    held_.follow(event);
+    own_.follow({.key = event.key, .down = false, .mouse = event.mouse});
     pending_.push_back(event);
     last_move_.reset();
 }
@@ -88,6 +96,7 @@ void Recorder::replayed(const Event& event) {
 void Recorder::frame(double time) {
     if (time < last_time_) recording_ = false;
     if (time == last_time_) seen_ = pending_.size();
+    if (recording_) seen_own_ = own_;
     if (!recording_ || !(time > last_time_)) return;
     const double stamp = short_time(last_time_, time);
     for (Event& event : pending_) {
@@ -112,10 +121,26 @@ void Recorder::forget_before(double time) {
     events_ = std::move(shorter);
 }
 
+// Of all that is held, and that a frame has seen to be.
+std::vector<Event> Recorder::releases() const {
+    std::vector<Event> events;
+    for (int code = 0; code < kKeyCount; ++code)
+        if (seen_own_.keys[static_cast<std::size_t>(code)])
+            events.push_back({.time = kNoTime, .key = code, .down = false});
+    if (seen_own_.mouse)
+        events.push_back({.time = kNoTime, .down = false, .mouse = seen_own_.position});
+    return events;
+}
+
 std::vector<Event> Recorder::stop() {
+    const std::vector<Event> released = releases();
     pending_.resize(seen_);
-    if (recording_ && seen_ > 0) frame(last_time_ + kNextFrame);
+    recording_ = true;  // also where time has gone back
+    if (seen_ > 0) frame(last_time_ + kNextFrame);
+    pending_ = released;
+    if (!released.empty()) frame(last_time_ + kNextFrame);
     recording_ = false;
+    own_ = seen_own_ = {};
     pending_.clear();
     seen_ = 0;
     return std::exchange(events_, {});

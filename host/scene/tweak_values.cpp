@@ -366,7 +366,7 @@ std::vector<TweakValues::Waiting> TweakValues::waiting() const {
     std::vector<Waiting> list;
     for (const Held& held : absent_) {
         const TweakValue& value = held.values[place_of(shown_)];
-        if (value != held.written) list.push_back({held.tweak, value});
+        if (value != held.written) list.push_back({held.tweak, value, held.written});
     }
     return list;
 }

@@ -124,7 +124,7 @@ public:
     // Of tweaks that have gone those whose value, in the set that is shown, no file has.
     struct Waiting {
         Tweak tweak;
-        TweakValue value;
+        TweakValue value, written;
         bool operator==(const Waiting& other) const {
             return tweak.name == other.tweak.name && value == other.value;
         }

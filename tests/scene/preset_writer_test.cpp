@@ -456,5 +456,19 @@ TEST_F(PresetWriter, WhatCannotBeWrittenIsAnErrorAndNoBrokenFile) {
     EXPECT_FALSE(saved.diagnostics.empty());
 }
 
+TEST_F(PresetWriter, ATitleThatIsNoneTakesItsLineAlong) {
+    EXPECT_EQ(
+        save(preset(), "scene = \"../fragments/boat.frag\"\ntitle = \"Dusk\"  # mine\ntime = 2\n")
+            .find("title"),
+        std::string::npos);
+}
+
+TEST_F(PresetWriter, TellsAPresetOfTheSameSceneFromOthers) {
+    const Scene scene = preset().scene;
+    EXPECT_TRUE(names_scene("# a\nscene = \"../x/../fragments/boat.frag\"\n", file_, scene));
+    for (const char* text : {"scene = \"../other.frag\"\n", "scene = 3\n", "scene = \n", ""})
+        EXPECT_FALSE(names_scene(text, file_, scene)) << text;
+}
+
 }  // namespace
 }  // namespace glint::preset_writer_test

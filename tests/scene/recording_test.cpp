@@ -77,7 +77,8 @@ TEST(Recorder, WhatTheEventsBeforeLeadToIsNotSaidAgain) {
         session.recorder.start(kBefore, session.input);
         for (int i = 0; i < 20; ++i) do_something(session, random);
         session.draw(1.0);
-        const std::vector<Event> before = session.recorder.stop();
+        const std::span<const Event> done = session.recorder.events();
+        const std::vector<Event> before(done.begin(), done.end());
         session.recorder.start(1.0, session.input, before);
         EXPECT_TRUE(session.recorder.events().empty()) << seed;
         // What was done meanwhile, unseen by a recorder, is.
@@ -136,7 +137,7 @@ TEST(Recorder, RedundantEventsAreLeftOut) {
     session.draw(1.0);
     for (int k = 0; k < 3; ++k) session.mouse({0.9, 0.9}, false);
     session.draw(1.5);
-    const std::vector<Event> events = session.recorder.stop();
+    const std::span<const Event> events = session.recorder.events();
     ASSERT_EQ(events.size(), 4u) << "key, press, last move, release";
     EXPECT_EQ(events[0].key, 65);
     EXPECT_EQ(events[1].mouse.x, 0.1);
@@ -170,7 +171,7 @@ TEST(Recorder, WhatAPresetReplaysKeepsItsTimeAmongWhatAPersonDoes) {
     session.recorder.replayed({.time = 1.001, .key = 66, .down = true});
     session.recorder.replayed({.time = 1.499, .key = 66, .down = false});
     session.draw(1.25 + 0.249);
-    const std::vector<Event> events = session.recorder.stop();
+    const std::span<const Event> events = session.recorder.events();
     ASSERT_EQ(events.size(), 3u);
     EXPECT_EQ(events[0].time, 1.001);
     EXPECT_EQ(events[1].key, 65) << "stamped 1.49";
@@ -206,7 +207,7 @@ TEST(Recorder, WhatHappensInAPauseIsSeenWhenTimeGoesOn) {
     session.key(65, true);
     session.draw(1.0);
     session.draw(1.25);
-    const std::vector<Event> events = session.recorder.stop();
+    const std::span<const Event> events = session.recorder.events();
     ASSERT_EQ(events.size(), 1u);
     EXPECT_EQ(events[0].time, 1.25);
 }
@@ -226,6 +227,53 @@ TEST(Recorder, WhatHappensInAPauseIsKeptWhereRecordingEndsInIt) {
     EXPECT_LT(events[1].time, 1.1);
 }
 
+TEST(Recorder, WhatIsHeldWhereRecordingEndsIsLetGoBehindIt) {
+    Session session;
+    session.recorder.start(0.0, session.input);
+    session.recorder.replayed({.time = 0.5, .key = 67, .down = true});  // to be let go by its own
+    session.key(66, true);
+    session.mouse({0.25, 0.5}, true);
+    session.draw(1.0);
+    session.key(68, true);  // seen by no frame
+    const std::vector<Event> events = session.recorder.stop();
+    ASSERT_EQ(events.size(), 5u);
+    for (std::size_t i = 3; i < 5; ++i) {
+        EXPECT_GT(events[i].time, 1.0);
+        EXPECT_FALSE(events[i].down);
+    }
+    EXPECT_EQ(events[3].key, 66);
+    EXPECT_EQ(events[4].mouse, glm::dvec2(0.25, 0.5));
+}
+
+TEST(Recorder, WhatWasDoneBeforeTimeWentBackIsHandedOut) {
+    Session session;
+    session.recorder.start(0.0, session.input);
+    session.key(66, true);
+    session.draw(1.0);
+    session.draw(0.0);
+    session.key(67, true);
+    session.draw(0.1);
+    EXPECT_EQ(session.recorder.end(), 1.0);
+    const std::vector<Event> events = session.recorder.stop();
+    ASSERT_EQ(events.size(), 2u);
+    EXPECT_EQ(events[0].key, 66);
+    EXPECT_FALSE(events[1].down);
+}
+
+TEST(Recorder, OfTheStateAtTheStartOnlyWhatIsReadIsSaid) {
+    InputState state;
+    state.key(65, true);
+    state.mouse({0.25, 0.5}, true);
+    for (const InputReads reads :
+         {InputReads{true, true}, {true, false}, {false, true}, {false, false}}) {
+        Recorder recorder;
+        recorder.start(0.0, state, {}, reads);
+        for (const Event& event : recorder.events())
+            EXPECT_TRUE(event.key >= 0 ? reads.keys : reads.mouse);
+        EXPECT_EQ(recorder.events().empty(), !reads.keys && !reads.mouse);
+    }
+}
+
 TEST(Recorder, EndsWhenTimeGoesBack) {
     Session session;
     session.recorder.start(kBefore, session.input);
@@ -236,7 +284,7 @@ TEST(Recorder, EndsWhenTimeGoesBack) {
     EXPECT_FALSE(session.recorder.recording());
     session.key(67, true);
     session.draw(3.0);
-    EXPECT_EQ(session.recorder.stop().size(), 1u);
+    EXPECT_EQ(session.recorder.stop().size(), 2u) << "it is let go";
     EXPECT_TRUE(session.recorder.stop().empty());
 }
 

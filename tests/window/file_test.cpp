@@ -133,6 +133,20 @@ TEST_F(File, SaveAsGoesOnWithUndoLocksAndTheFrame) {
     EXPECT_EQ(read(look()), std::string("locked = [\"level\"]\n") + kLook) << "the first stays";
 }
 
+TEST_F(File, OfAnotherSceneIsReplacedByACopyOfWhatIsOpen) {
+    const fs::path other = folder_->path() / "look-2.toml";
+    open_look();
+    screen_->tap("Control_L+space");
+    settle();
+    screen_->tap("Control_L+Shift_L+s");
+    settle();
+    write(other, "scene = \"other.frag\"\ntitle = \"Theirs\"\n[tweaks]\nfog = 0.7  # theirs\n");
+    screen_->tap("Return");
+    EXPECT_TRUE(eventually([&] { return read(other).starts_with("# mine\n"); })) << read(other);
+    EXPECT_EQ(read(other).find("fog"), std::string::npos) << read(other);
+    EXPECT_EQ(glint_->count("warning"), 0) << glint_->errors();
+}
+
 TEST_F(File, ThatWasChangedMeanwhileIsNotSavedOverUnasked) {
     open_look();
     change();

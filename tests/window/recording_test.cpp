@@ -113,5 +113,60 @@ TEST_F(Recording, TheFilesEventsStayAroundWhatIsRecordedAndNothingDoneIsNothing)
         EXPECT_NE(saved.find(key), std::string::npos) << key << " in\n" << saved;
 }
 
+// Of what was done before only what the scene asks for leads to its pictures.
+TEST_F(Recording, WhatIsHeldAtItsEndIsLetGoAndWhatNobodyReadsIsNotSaidAtItsStart) {
+    const fs::path preset = folder_->path() / "held.toml";
+    write(scene(),
+          "void mainImage(out vec4 c, in vec2 p) { c = vec4(0.2, 0.2, fract(iTime), 1); }\n");
+    write(preset, "scene = \"scene.frag\"\n");
+    start({preset.string()});
+    ASSERT_TRUE(glint_->says(": shown")) << glint_->errors();
+    const auto wait = [] { std::this_thread::sleep_for(200ms); };
+    screen_->click({300, 400});
+    screen_->tap("a");
+    screen_->tap("Control_L+r");
+    wait();
+    screen_->tap("F9");
+    wait();
+    screen_->key("b", true);
+    screen_->move({300, 400});
+    screen_->button(true);
+    wait();
+    screen_->tap("F9");
+    wait();
+    screen_->button(false);
+    screen_->key("b", false);
+    screen_->tap("Control_L+s");
+    ASSERT_TRUE(eventually([&] { return read(preset).find("mouse") != std::string::npos; }, 20.0));
+    const std::string saved = read(preset);
+    const auto count = [&](const std::string& words) {
+        int found = 0;
+        for (std::size_t at = 0; (at = saved.find(words, at)) != saved.npos; ++at) ++found;
+        return found;
+    };
+    EXPECT_EQ(count("[[events]]"), 4) << saved;
+    EXPECT_EQ(count("key = \"b\""), 2) << saved;
+    EXPECT_EQ(count("down = false"), 2) << saved;
+}
+
+TEST_F(Recording, ThatEndsWhereTimeGoesBackIsThereToBeSaved) {
+    const fs::path preset = folder_->path() / "back.toml";
+    write(scene(),
+          "void mainImage(out vec4 c, in vec2 p) { c = vec4(0.2, 0.2, fract(iTime), 1); }\n");
+    write(preset, "scene = \"scene.frag\"\n");
+    start({preset.string()});
+    ASSERT_TRUE(glint_->says(": shown")) << glint_->errors();
+    std::this_thread::sleep_for(200ms);
+    screen_->tap("F9");
+    std::this_thread::sleep_for(200ms);
+    screen_->tap("b");
+    std::this_thread::sleep_for(200ms);
+    screen_->tap("Control_L+r");
+    std::this_thread::sleep_for(200ms);
+    screen_->tap("Control_L+s");
+    EXPECT_TRUE(eventually([&] { return read(preset).find("\"b\"") != std::string::npos; }, 20.0))
+        << read(preset);
+}
+
 }  // namespace
 }  // namespace glint::window::recording_test

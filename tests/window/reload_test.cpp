@@ -227,6 +227,34 @@ TEST_F(Reload, AnIncludeAnImageAndThePresetAreFollowedToo) {
     EXPECT_TRUE(shows({40, 120, 204}, kMargin)) << glint_->errors();
 }
 
+TEST_F(Reload, APictureThatIsMissingIsToldWithEachTextUntilItIsThereAgain) {
+    const fs::path folder = folder_->path(), picture = folder / "paint.png";
+    write(folder / "paint.frag", flat({0, 0, 100}));
+    Glint process(screen_->name(), folder,
+                  {"still", "paint.frag", "-o", "paint.png", "--size", "4x4"});
+    EXPECT_EQ(process.wait(60.0).code, 0) << process.errors();
+    fs::remove(folder / "stderr.txt");
+    const auto text = [](int red) {
+        return fmt::format(
+            "uniform sampler2D paint; //@ image paint.png\n"
+            "void mainImage(out vec4 c, in vec2 p) {{\n"
+            "    c = vec4({}.0 / 255.0, 0.2, texture(paint, p / 99.0).b, 1);\n}}\n",
+            red);
+    };
+    open(text(10));
+    ASSERT_TRUE(shows({10, 51, 100}, kMargin)) << glint_->errors();
+    fs::rename(picture, folder / "away.png");
+    EXPECT_TRUE(glint_->says("error: Cannot read", 1, 20.0)) << glint_->errors();
+    write(scene(), "\n" + text(20));
+    EXPECT_TRUE(shows({20, 51, 100}, kMargin)) << "the picture before";
+    EXPECT_TRUE(glint_->says("scene.frag:2:19: error: Cannot read", 1, 20.0)) << glint_->errors();
+    fs::rename(folder / "away.png", picture);
+    EXPECT_TRUE(glint_->says("paint.png: shown", 1, 20.0)) << glint_->errors();
+    write(scene(), text(30));
+    EXPECT_TRUE(shows({30, 51, 100}, kMargin));
+    EXPECT_EQ(glint_->count("error: Cannot read"), 2) << glint_->errors();
+}
+
 TEST_F(Reload, ACubeAVolumeAndASoundAreFollowedAndAnotherInputOfThePresetToo) {
     const fs::path folder = folder_->path();
     const auto make = [&](int blue, const char* loudness) {

@@ -181,6 +181,30 @@ TEST_F(Work, WhatACrashInterruptsIsOfferedAtTheNextStart) {
     EXPECT_TRUE(eventually([&] { return kept().empty(); })) << kept();
 }
 
+TEST_F(Work, IsRestoredOverWhatTheFileSaysByThen) {
+    write(scene(),
+          "uniform float level; //@ 0 [0, 1]\nuniform float other; //@ 0.2 [0, 1]\n"
+          "void mainImage(out vec4 c, in vec2 p) { c = vec4(level, other, 0.5, 1); }\n");
+    const std::string says =
+        "scene = \"scene.frag\"\nlocked = [\"other\"]\n[tweaks]\nlevel = 0.2\n";
+    write(look(), says);
+    start({look().string()});
+    ASSERT_TRUE(glint_->says(": shown")) << glint_->errors();
+    const int changed = change();
+    ASSERT_TRUE(eventually([&] { return !kept().empty(); }));
+    glint_->signal(SIGKILL);
+    glint_->wait();
+    write(look(), says + "other = 0.6\n");
+    fs::remove(folder_->path() / "stderr.txt");
+    start({look().string()});
+    ASSERT_TRUE(glint_->says(": shown")) << glint_->errors();
+    EXPECT_TRUE(enter_until([&] { return red() == changed; })) << red();
+    EXPECT_TRUE(eventually([&] { return screen_->pixel(kMargin).g == 153; }));
+    screen_->tap("Control_L+s");
+    EXPECT_TRUE(becomes_unsaved(false));
+    EXPECT_NE(read(look()).find("other = 0.6\n"), std::string::npos) << read(look());
+}
+
 TEST_F(Work, ASignalToEndIsNoCrashAndLosesNothing) {
     for (const int signal : {SIGTERM, SIGINT, SIGHUP}) {
         SCOPED_TRACE(signal);
@@ -373,6 +397,27 @@ TEST_F(Work, OnTheSceneBeforeIsSavedByItsOwnPresetWhereAnotherIsBroken) {
     EXPECT_TRUE(enter_until([&] { return fs::exists(copy); })) << glint_->errors();
     EXPECT_TRUE(read(copy).starts_with("# mine\n")) << read(copy);
     EXPECT_NE(read(copy).find("time = 2.5\n"), std::string::npos) << read(copy);
+}
+
+TEST_F(Work, OnTheSceneBeforeIsOfferedByItsOwnFileWhereTheOtherIsRepaired) {
+    open_look();
+    const fs::path broken = folder_->path() / "broken.toml";
+    write(broken, "scene = \n");
+    EXPECT_TRUE(screen_->drop(broken));
+    ASSERT_TRUE(glint_->says("broken.toml: not shown")) << glint_->errors();
+    const int changed = change();
+    EXPECT_TRUE(eventually([&] { return levels_in(kept()) == 1; })) << kept();
+    screen_->tap("F12");
+    EXPECT_TRUE(eventually([&] { return fs::exists(folder_->path() / "look-0001.png"); }));
+    write(folder_->path() / "other.frag", flat({90, 51, 70}));
+    write(broken, "scene = \"other.frag\"\n");
+    EXPECT_TRUE(eventually([&] { return red() == 90; })) << red();
+    EXPECT_TRUE(becomes_unsaved(false));
+    EXPECT_EQ(levels_in(kept()), 1) << kept();
+    EXPECT_TRUE(screen_->drop(look()));
+    EXPECT_TRUE(eventually([&] { return red() != 90; }));
+    EXPECT_TRUE(asks());
+    EXPECT_TRUE(enter_until([&] { return red() == changed; })) << red();
 }
 
 // Flipping between A and B hides one of them, which is then asked for by name of what is seen.

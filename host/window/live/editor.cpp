@@ -14,7 +14,9 @@
 #include <filesystem>
 #include <sstream>
 #include <stdexcept>
+#include <string_view>
 #include <thread>
+#include <utility>
 
 namespace glint {
 namespace {
@@ -76,12 +78,38 @@ bool desktop_chooses_us() {
     return choice.starts_with("glint.desktop");
 }
 
+// The words of a command, with a shell's quotes and backslashes; nothing else of a shell, and
+// nothing is run. A quote that is not closed reaches to the end.
+std::vector<std::string> shell_words(std::string_view line) {
+    std::vector<std::string> words;
+    char quote = '\0';
+    bool in_word = false;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        const char c = line[i];
+        const bool is_space = quote == '\0' && std::string_view(" \t\n").find(c) != line.npos;
+        if (!is_space && !std::exchange(in_word, true)) words.emplace_back();
+        const bool has_next = c == '\\' && i + 1 < line.size();
+        const bool may_escape =
+            quote == '\0' ||
+            (quote == '"' && has_next && std::string_view("\"\\$`").find(line[i + 1]) != line.npos);
+        if (is_space)
+            in_word = false;
+        else if (has_next && may_escape)
+            words.back() += line[++i];
+        else if (quote == '\0' && (c == '\'' || c == '"'))
+            quote = c;
+        else if (c == quote)
+            quote = '\0';
+        else
+            words.back() += c;
+    }
+    return words;
+}
+
 }  // namespace
 
 std::vector<std::string> editor_command(const std::string& editor, const Place& place) {
-    std::istringstream words(editor);
-    std::vector<std::string> command;
-    for (std::string word; words >> word;) command.push_back(word);
+    std::vector<std::string> command = shell_words(editor);
     if (command.empty()) command.push_back(kDesktopsChoice);
     const std::string name = program_name(command);
     const int line = std::max(place.line, 1), column = std::max(place.column, 1);

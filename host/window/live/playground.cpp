@@ -1,41 +1,15 @@
 #include "window/live/playground.h"
 
 #include "base/readable_file.h"
+#include "scene/look_changes.h"
 #include "scene/preset_writer.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace glint {
 namespace {
-
-// Tweaks whose value in the file is another than when it was last read: those that a person changed
-// there, and not in the panels. Returns the names of those that had another value here, of no file.
-std::vector<std::string> apply_saved_changes(const Preset& before, const Preset& now,
-                                             TweakValues& tweaks) {
-    std::vector<std::string> overruled;
-    for (std::size_t i = 0; i < now.scene.tweaks.size(); ++i) {
-        const Tweak& tweak = now.scene.tweaks[i];
-        const auto& old = before.scene.tweaks;
-        const auto locks = [&](const Preset& preset) {
-            return std::ranges::find(preset.locked, tweak.name) != preset.locked.end();
-        };
-        const auto same = std::find_if(old.begin(), old.end(), [&](const Tweak& t) {
-            return t.name == tweak.name && t.type == tweak.type;
-        });
-        if (same == old.end()) {
-            if (locks(now)) tweaks.lock(i, true);
-            continue;
-        }
-        const TweakValue& was = before.values[static_cast<std::size_t>(same - old.begin())];
-        const bool default_moved = was == same->initial && now.values[i] == tweak.initial;
-        const TweakValue here = tweaks.value(i);
-        if (was != now.values[i] && !default_moved) tweaks.set(i, now.values[i]);
-        if (tweaks.value(i) != here && here != was) overruled.push_back(tweak.name);
-        if (locks(before) != locks(now)) tweaks.lock(i, locks(now));
-    }
-    return overruled;
-}
 
 // The files of a text, and those that its samplers name.
 std::vector<std::filesystem::path> watched_files(const std::vector<std::filesystem::path>& texts,
@@ -73,7 +47,9 @@ ReloadSteps Playground::reload_steps() {
         .read =
             [this](const std::filesystem::path& file) {
                 ReadPreset read = read_preset(file);
-                if (read.preset) lay_fills_over(*read.preset);
+                if (!read.preset) return read;
+                lay_fills_over(*read.preset);
+                tell_failed_inputs(read);
                 return read;
             },
         .watch =
@@ -101,7 +77,7 @@ TweakValues Playground::tweaks_with(const Preset& text, std::vector<std::string>
     }
     TweakValues next = tweaks;
     next.rebase(text.scene.tweaks, text.values);
-    std::vector<std::string> names = apply_saved_changes(*written, text, next);
+    std::vector<std::string> names = lay_changes_over(*written, text, next);
     if (overruled) *overruled = std::move(names);
     return next;
 }
@@ -118,6 +94,7 @@ void Playground::start_trial(const Preset& candidate, Programs programs, bool is
 
 void Playground::open(const std::filesystem::path& file) {
     fills_ = {};
+    failed_inputs_.clear();
     programs_.forget_costs();
     watcher_.about_to_read();
     reloader_.open(file);
@@ -196,6 +173,7 @@ Diagnostics Playground::put_in_place(const Preset& candidate, Programs programs,
         if (renderer && previous) previous->adopt(*renderer);
         return {{.place = {.file = reloader_.file().string()}, .text = error.what()}};
     }
+    if (is_text && !written && renderer_) before_other_scene();
     touched_ |= constants_ && *constants_ != preset->values;
     touched_ |= renderer_ && renderer_->has_maps_left();
     programs_.note_drawn(programs, is_text, renderer_.get(), !constants_);
@@ -306,20 +284,21 @@ void Playground::go_on_in(const std::filesystem::path& file, const Preset& prese
 }
 
 bool Playground::is_as_read(const std::string& text) const {
-    if (!as_written()) return false;
+    return as_written() && write_preset(without_fills(), reloader_.file(), text).text == text;
+}
+
+Preset Playground::without_fills() const {
     Preset written = *as_written();
     for (std::size_t i = 0; i < laid_over_.size(); ++i)
         if (laid_over_[i]) written.channels[i] = {};
-    return write_preset(written, reloader_.file(), text).text == text;
+    return written;
 }
 
 Preset Playground::current_preset() const {
     Preset preset = *preset_;
     preset.values = tweaks.values();
     preset.locked = tweaks.locks();
-    for (const std::string& name : preset_->locked)
-        if (std::ranges::find(preset.scene.tweaks, name, &Tweak::name) == preset.scene.tweaks.end())
-            preset.locked.push_back(name);
+    std::ranges::copy(locks_without_tweak(*preset_), std::back_inserter(preset.locked));
     preset.time = instant_.time;
     return preset;
 }

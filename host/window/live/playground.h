@@ -26,6 +26,7 @@
 
 #include <array>
 #include <deque>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -66,6 +67,10 @@ public:
     // one draws, and for good where it cannot.
     void open(const std::filesystem::path& file);
 
+    // Called before the scene of another file takes the place of what is shown, which still stands
+    // then, with its tweaks.
+    std::function<void()> before_other_scene = [] {};
+
     // Follows files and trials; does not wait. True when something has changed that a person sees.
     bool update();
     // For ::poll(): readable when update() has something to do. Valid until the next update().
@@ -79,6 +84,8 @@ public:
     Renderer* renderer() { return renderer_.get(); }
     // What is shown as its file has it, without what was changed here; null until it is shown.
     const Preset* as_written() const { return reloader_.as_written(); }
+    // The same, but for the channels that were filled here. While it is shown.
+    Preset without_fills() const;
     // Whether this text of the file says what was read from it, or given to it, last.
     bool is_as_read(const std::string& text) const;
 
@@ -87,6 +94,7 @@ public:
         reloader_.note_saved(preset);
         tweaks.set_written(preset.values);
         fills_ = {};
+        laid_over_ = {};
     }
     // What is shown has its file's name from now on, which has just been given this. All goes on:
     // time, buffers, undo.
@@ -174,7 +182,9 @@ public:
     void key(int code, bool down);
     // Records both from now on, into `recorder`, as what goes on after these.
     void start_recording(std::span<const Event> before) {
-        recorder.start(instant_.time, input_, before);
+        const InputReads reads{.mouse = renderer_ && renderer_->reads_mouse(),
+                               .keys = renderer_ && renderer_->reads_keyboard()};
+        recorder.start(instant_.time, input_, before, reads);
     }
 
     // `tweaks` were changed: the next frame shows it.
@@ -248,6 +258,7 @@ private:
     void load_missing_inputs();
     void follow_inputs();
     void take_input(InputLoader::Loaded loaded);
+    void tell_failed_inputs(ReadPreset& read) const;
     void send_arriving();
     void show_arrived();
     bool awaits_inputs() const { return inputs_.is_loading() || !arriving_.empty(); }
@@ -318,6 +329,8 @@ private:
     InputLoader inputs_;
     StartStates start_states_;
     KeptMaps kept_maps_;
+    // Those whose file could not be read the last time; the picture may have one from before.
+    std::vector<InputLoader::Loaded> failed_inputs_;
     // Read, and on the way to the driver.
     struct Arriving {
         InputLoader::Loaded loaded;

@@ -55,12 +55,19 @@ std::optional<std::size_t> Playground::index_of(const Sampler& sampler) const {
 void Playground::take_input(InputLoader::Loaded loaded) {
     const std::optional<std::size_t> index = index_of(loaded.sampler);
     if (!index) return;
+    std::erase_if(failed_inputs_, [&](const InputLoader::Loaded& failed) {
+        return same_input(failed.sampler, loaded.sampler);
+    });
     const Place& place = sampler_at(*preset_, *index).place;
     reloader_.forget_missing_file(place);
     const ReloadReport report{
         .file = loaded.sampler.files.front(), .read_ms = loaded.ms, .text = {}};
     try {
-        if (!loaded.input) throw std::runtime_error(loaded.error);
+        if (!loaded.input) {
+            const std::string error = loaded.error;
+            failed_inputs_.push_back(std::move(loaded));
+            throw std::runtime_error(error);
+        }
         const bool is_large = loaded.sampler.type == SamplerType::sampler2D &&
                               loaded.input->bytes.size() > kLargePicture;
         if (is_large) {
@@ -79,6 +86,16 @@ void Playground::take_input(InputLoader::Loaded loaded) {
     } catch (const std::runtime_error& error) {
         reloader_.input_failed(report, {Severity::error, place, error.what(), true});
     }
+}
+
+// Another text does not read them anew where the picture has what they were.
+void Playground::tell_failed_inputs(ReadPreset& read) const {
+    for (const InputLoader::Loaded& failed : failed_inputs_)
+        for (std::size_t i = 0; i < sampler_count(*read.preset); ++i) {
+            const Sampler& sampler = sampler_at(*read.preset, i);
+            if (same_input(sampler, failed.sampler))
+                read.diagnostics.push_back({Severity::error, sampler.place, failed.error, true});
+        }
 }
 
 // Between frames, a few milliseconds at a time: the window goes on.

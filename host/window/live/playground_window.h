@@ -72,6 +72,9 @@ private:
         return settings_.view.sampler.empty() && settings_.view.zoom == 0.0 &&
                settings_.shown == Shown::scene;
     }
+    // Whether something can be magnified: a panel is open for that, or a study's picture is shown.
+    bool looks_inside() const { return settings_.passes || settings_.shown != Shown::scene; }
+    void settle_view();
 
     // What panels and shortcuts ask for
     void grant(const Wishes& wishes);
@@ -116,8 +119,15 @@ private:
     void revert();
     void toggle_recording();
     void stop_recording();
+    void follow_recording();
+    void tell_recorded();
 
     // Unsaved work, which the state folder keeps for the next run
+    const Preset* written() const;
+    std::filesystem::path shown_file() const;
+    void stay_with_scene();
+    void leave_scene();
+    void begin_work();
     bool is_unsaved() const;
     bool differs_from_file() const;
     bool has_worked(TweakSet set) const;
@@ -126,7 +136,8 @@ private:
     void show_hidden_work();
     void note_work();
     std::vector<Event> unsaved_events() const;
-    std::vector<Event> with_written_events(std::span<const Event> recorded) const;
+    // `end` is the time of the last frame of what is recorded.
+    std::vector<Event> with_written_events(std::span<const Event> recorded, double end) const;
     void start_recording();
     Preset preset_to_save() const;
     void lay_options_over();
@@ -140,7 +151,9 @@ private:
     bool is_gone() const;
     void let_go_of_work();
     void find_unsaved();
+    TweakSet offered_set() const;
     ReadPreset read_offer() const;
+    bool says_what_stands(const Preset& look) const;
     void restore();
     struct Kept;
     Kept work(TweakSet set) const;
@@ -259,15 +272,19 @@ private:
     std::filesystem::path folder_{"."};  // whose files the browser lists
     std::filesystem::path place_;  // the same for every name of it, wherever the program stands
     bool values_known_ = false;    // the file has been shown
-    // Of the scene that is on the screen until the file is shown, as it was left: its values, and
-    // when its file starts, s.
-    std::vector<TweakValue> left_values_;
-    double left_time_ = 0.0;
+    // The scene that is on the screen until the file is shown, for good where it cannot be: the
+    // file that it was opened by, and the look in which it was left.
+    struct Left {
+        std::filesystem::path place;  // as place_
+        Preset look;
+    };
+    std::optional<Left> left_;
     // Of the sets A and B: which have values that the file lacks, and the values at which nobody
     // has worked in one: those of the file, as it is or was.
     std::array<bool, 2> worked_in_{};
     std::array<std::vector<TweakValue>, 2> at_rest_;
-    std::vector<Event> recorded_;        // all that the preset is to have
+    std::vector<Event> recorded_;  // all that the preset is to have
+    bool records_ = false;
     std::size_t written_before_ = 0;     // events of the file that go before what is recorded
     std::size_t recorded_at_start_ = 0;  // of what is recorded: they did not happen in it
     std::optional<double> start_time_;   // s; a person asked for it to be saved
@@ -276,11 +293,11 @@ private:
     };
     std::optional<Overwriting> overwriting_;  // the question is whether to
     std::optional<Leaving> leaving_;          // once a person has said what becomes of the unsaved
-    std::optional<std::string> offer_;        // the unsaved work of the last run, as a preset
+    std::optional<UnsavedLook> offer_;        // the unsaved work of the last run
     bool has_restored_ = false;               // some of it, of this file
     // What the state folder holds, and since when.
     struct Kept {
-        std::vector<TweakValue> values;
+        std::vector<TweakValue> values, written;  // here, in the file
         std::size_t events = 0;
         std::vector<std::string> channels;  // as TOML
         std::vector<std::string> locked, watch;

@@ -20,12 +20,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kText = "work.toml";  // as the preset would be saved
-constexpr const char* kFile = "file";       // the name of what it is work on
+constexpr const char* kText = "work.toml";        // as the preset would be saved
+constexpr const char* kWritten = "written.toml";  // what the file said then
+constexpr const char* kFile = "file";             // the name of what it is work on
 
-std::string read(const fs::path& file) {
+std::optional<std::string> read(const fs::path& file) {
     std::string why_not;
-    return read_bytes(file, why_not).value_or("");
+    return read_bytes(file, why_not);
 }
 
 void write(const fs::path& file, const std::string& text) {
@@ -69,14 +70,17 @@ void HeldFolder::remove() {
     ::close(std::exchange(descriptor_, -1));
 }
 
-void UnsavedWork::keep(const fs::path& file, const std::string& text, std::size_t set) {
+void UnsavedWork::keep(const fs::path& file, const UnsavedLook& look, std::size_t set) {
     // A new one where somebody has cleared the state folder, or there is none yet.
     std::error_code error;
     HeldFolder& own = own_[set];
     if (!own || !fs::exists(own.path(), error)) own = make_folder_in(folder_);
     if (!own) throw cannot_write(folder_, "another process holds what was just made");
     write(own.path() / kFile, canonical_name(file).string());
-    write(own.path() / kText, text);
+    // In this order: a crash between them leaves a look that takes nothing back of what the file
+    // says by now.
+    write(own.path() / kText, look.text);
+    if (look.written) write(own.path() / kWritten, *look.written);
 }
 
 void UnsavedWork::discard_found() {
@@ -89,7 +93,7 @@ void UnsavedWork::pass_found() {
     leave_found();
 }
 
-std::optional<std::string> UnsavedWork::find(const fs::path& file) {
+std::optional<UnsavedLook> UnsavedWork::find(const fs::path& file) {
     found_ = {};
     const std::string wanted = canonical_name(file).string();
     fs::file_time_type newest{};
@@ -106,7 +110,7 @@ std::optional<std::string> UnsavedWork::find(const fs::path& file) {
         newest = written;
     }
     if (!found_) return std::nullopt;
-    return read(found_.path() / kText);
+    return UnsavedLook{read(found_.path() / kText).value_or(""), read(found_.path() / kWritten)};
 }
 
 }  // namespace glint

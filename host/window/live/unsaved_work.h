@@ -32,6 +32,15 @@ private:
     int descriptor_ = -1;
 };
 
+// Work on a file, as presets: the look as it would be saved, and what the file said meanwhile. The
+// work is what differs between them; all else is the file's, which may be edited before it is
+// offered.
+struct UnsavedLook {
+    std::string text;
+    std::optional<std::string> written;  // not where an older Glint has kept it
+    bool operator==(const UnsavedLook&) const = default;
+};
+
 // The unsaved work of one window on one file, in each of the two sets of tweaks. Every window has
 // folders of its own inside that of all, so that two on the same file keep both.
 class UnsavedWork {
@@ -39,10 +48,9 @@ public:
     // `folder` holds the work of all windows; it is made when there is something to keep.
     explicit UnsavedWork(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-    // Keeps this text, a preset as it would be saved, as the work on `file` in a set, 0 or 1. What
-    // was kept of that before is replaced in one step. Throws std::runtime_error where it cannot be
-    // written.
-    void keep(const std::filesystem::path& file, const std::string& text, std::size_t set);
+    // Keeps this look as the work on `file` in a set, 0 or 1. What was kept of that before is
+    // replaced. Throws std::runtime_error where it cannot be written.
+    void keep(const std::filesystem::path& file, const UnsavedLook& look, std::size_t set);
 
     // It is saved, or not wanted.
     void forget(std::size_t set) { own_[set].remove(); }
@@ -64,7 +72,7 @@ public:
 
     // The newest work on `file` of windows that have ended. It is this window's to offer until
     // discard_found(); where the window ends before, the next one finds it again.
-    std::optional<std::string> find(const std::filesystem::path& file);
+    std::optional<UnsavedLook> find(const std::filesystem::path& file);
     // Not found again by this window, even where its folder cannot be removed.
     void discard_found();
 

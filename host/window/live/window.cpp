@@ -88,6 +88,7 @@ PlaygroundWindow::PlaygroundWindow(const ViewOptions& options)
       refiner_(options.device),
       probe_(options.device),
       kept_resolutions_(home_folder("XDG_STATE_HOME", ".local/state") / "resolution") {
+    playground_.before_other_scene = [this] { leave_scene(); };
     window_.show();
     std::error_code error;
     if (options.file.empty() || fs::is_directory(options.file, error)) {
@@ -226,6 +227,7 @@ bool PlaygroundWindow::draw_scene() {
     frame_due_ = 1.0 / window_.refresh_rate();
     const double drawn_at = clock_seconds();
     const bool drawn = playground_.draw(elapsed);
+    follow_recording();
     follow_sound(drawn_at);
     return drawn;
 }
@@ -236,6 +238,7 @@ void PlaygroundWindow::draw_frame() {
         panels_.rescale(content_scale_);
     }
     dirty_ = false;
+    settle_view();
     const bool drawn = !answers_first() && draw_scene();
     const Stopwatch clock;
     show_picture();
@@ -421,7 +424,9 @@ void PlaygroundWindow::print_reports() {
         } else if (reports[i].shown && !is_preset(reports[i].file)) {
             stop_findings();  // they are about another text
         }
-        empty_channels_ = empty_channels(playground_);
+        // What is filled is filled in the file that is open.
+        empty_channels_.clear();
+        if (values_known_) empty_channels_ = empty_channels(playground_);
         dirty_ = true;
     }
     printed_reports_ = total;
@@ -436,7 +441,7 @@ void PlaygroundWindow::notice(std::string text) {
 void PlaygroundWindow::take_still() {
     if (!playground_.is_open()) return;
     if (playground_.replayed() < 1.0) return notice("A still waits for the end of the replay.");
-    const fs::path name = free_picture_name(file_);
+    const fs::path name = free_picture_name(shown_file());
     try {
         write_image(name, playground_.still(), playground_.still_metadata());
         notice(fmt::format("{} written", name.string()));

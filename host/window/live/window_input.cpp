@@ -77,12 +77,30 @@ void PlaygroundWindow::handle_key(const WindowEvent& event) {
     }
 }
 
+// Of a buffer, of what is magnified and of colours that are changed there is nothing to be seen
+// once the panel that shows them is closed; and nothing beside the picture at any time.
+void PlaygroundWindow::settle_view() {
+    PassView& view = settings_.view;
+    if (!looks_inside()) {
+        view.sampler.clear();
+        view.channel = 0;
+        view.exposure = 0.0f;
+        view.tone_curve = false;
+        view.zoom = 0.0;
+    }
+    glm::dvec2 half(0.5);  // of the view, as a fraction of the picture
+    if (view.zoom > 0.0)
+        half = glm::min(half, 0.5 * glm::dvec2(window_.size()) /
+                                  (glm::dvec2(glm::max(viewed_size(), 1)) * view.zoom));
+    view.centre = glm::clamp(view.centre, half, 1.0 - half);
+}
+
 void PlaygroundWindow::handle_mouse(const WindowEvent& event) {
+    settle_view();
     const glm::dvec2 window(glm::max(window_.size(), glm::ivec2(1)));
     PassView& view = settings_.view;
     if (event.kind == WindowEvent::Kind::scroll) {
-        const bool takes_scroll = settings_.passes || settings_.shown != Shown::scene;
-        if (panels_.takes_mouse() || !takes_scroll) return;
+        if (panels_.takes_mouse() || !looks_inside()) return;
         const glm::dvec2 size(viewed_size());
         const double fit = std::min(window.x / size.x, window.y / size.y);
         const double zoom =

@@ -1,5 +1,6 @@
 // What is kept of unsaved work, of both sets of tweaks, for the run after a crash, and its offer.
 #include "base/canonical_name.h"
+#include "scene/look_changes.h"
 #include "scene/preset_writer.h"
 #include "scene/toml_text.h"
 #include "window/live/playground_window.h"
@@ -7,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <span>
 #include <utility>
 
@@ -41,7 +43,7 @@ fs::path place_beside(const fs::path& place) {
 // saved, and none that may be lost.
 bool PlaygroundWindow::has_work(TweakSet set) const {
     if (set != playground_.tweaks.shown()) return hides_work();
-    return is_unsaved() || !playground_.tweaks.waiting().empty();
+    return is_unsaved() || (values_known_ && !playground_.tweaks.waiting().empty());
 }
 
 bool PlaygroundWindow::is_keeping_due(TweakSet set) const {
@@ -50,7 +52,7 @@ bool PlaygroundWindow::is_keeping_due(TweakSet set) const {
 }
 
 bool PlaygroundWindow::is_keeping_due() const {
-    if (!values_known_) return false;  // what is on the screen is no work on this file
+    if (!written()) return false;
     return std::ranges::any_of(kTweakSets, [&](TweakSet set) { return is_keeping_due(set); });
 }
 
@@ -65,6 +67,7 @@ void PlaygroundWindow::let_go_of_work() {
 PlaygroundWindow::Kept PlaygroundWindow::work(TweakSet set) const {
     const Preset now = preset_to_save();
     return {playground_.tweaks.values(set),
+            written()->values,
             unsaved_events().size(),
             channel_texts(*playground_.preset()),
             now.locked,
@@ -75,16 +78,16 @@ PlaygroundWindow::Kept PlaygroundWindow::work(TweakSet set) const {
 
 // Whether the set that is shown has work that would be lost once it is hidden.
 void PlaygroundWindow::note_work() {
-    const Preset* written = values_known_ ? playground_.as_written() : nullptr;
-    if (!written) return;
+    if (!written()) return;
+    const std::vector<TweakValue>& file = written()->values;
     for (const TweakSet set : kTweakSets) {
         const std::vector<TweakValue> values = playground_.tweaks.values(set);
         std::vector<TweakValue>& at_rest = at_rest_[place_of(set)];
         // Another text may have more tweaks, or fewer.
         const bool is_other_text = !at_rest.empty() && values.size() != at_rest.size();
-        if (at_rest.empty()) at_rest = written->values;
+        if (at_rest.empty()) at_rest = file;
         const bool has_rested = is_other_text && !worked_in_[place_of(set)];
-        if (values == written->values || has_rested) at_rest = values;
+        if (values == file || has_rested) at_rest = values;
     }
     const TweakSet shown = playground_.tweaks.shown();
     worked_in_[place_of(shown)] = has_worked(shown);
@@ -93,7 +96,7 @@ void PlaygroundWindow::note_work() {
 // As soon as something changes, and before the frame that shows it, which may be the last one.
 void PlaygroundWindow::keep_unsaved() {
     note_work();
-    if (!values_known_) return;
+    if (!written()) return;
     for (const TweakSet set : kTweakSets) keep_unsaved(set);
 }
 
@@ -112,14 +115,19 @@ void PlaygroundWindow::keep_now(TweakSet set) {
     kept_[place_of(set)] = work(set);
     Preset preset = preset_to_save();
     preset.values = playground_.tweaks.values(set);
+    const fs::path& place = left_ ? left_->place : place_;
+    Preset file = left_ ? left_->look : playground_.without_fills();
     for (const TweakValues::Waiting& one : playground_.tweaks.waiting()) {
         preset.scene.tweaks.push_back(one.tweak);
         preset.values.push_back(one.value);
+        file.scene.tweaks.push_back(one.tweak);
+        file.values.push_back(one.written);
     }
-    const PresetText text = write_preset(preset, place_beside(place_));
+    const PresetText text = write_preset(preset, place_beside(place));
+    const PresetText says = write_preset(file, place_beside(place));
     try {
         if (!text.text) throw std::runtime_error(to_string(text.diagnostics.front()));
-        unsaved_work_.keep(place_, *text.text, place_of(set));
+        unsaved_work_.keep(place, {*text.text, says.text}, place_of(set));
     } catch (const std::runtime_error& error) {
         notice(fmt::format("Unsaved work cannot be kept for the next start. {}", error.what()));
     }
@@ -128,27 +136,60 @@ void PlaygroundWindow::keep_now(TweakSet set) {
 // Nobody can be asked any more.
 void PlaygroundWindow::keep_at_end() {
     stop_recording();
-    if (!values_known_) return;
+    if (!written()) return;
     for (const TweakSet set : kTweakSets)
         if (has_work(set)) keep_now(set);
 }
 
-// The offer as the text on the screen, which may change meanwhile, takes it.
+// The set that has it once it is restored: what was restored before stays, for of the last run's
+// two sets this is the other one.
+TweakSet PlaygroundWindow::offered_set() const {
+    const TweakSet shown = playground_.tweaks.shown();
+    return has_restored_ ? other_set(shown) : shown;
+}
+
+// The work that is offered, as a look of the text on the screen, which may change meanwhile: laid
+// over what the file says by now.
 ReadPreset PlaygroundWindow::read_offer() const {
-    return parse_preset(*offer_, place_beside(place_), playground_.preset()->scene);
+    const Preset& shown = *playground_.preset();
+    const Preset& now = *playground_.as_written();
+    ReadPreset read = parse_preset(offer_->text, place_beside(place_), shown.scene);
+    if (!read.preset || !offer_->written) return read;
+    const std::optional<Preset> then =
+        parse_preset(*offer_->written, place_beside(place_), shown.scene).preset;
+    if (!then) return read;
+    Preset& look = *read.preset;
+    TweakValues tweaks(shown.scene.tweaks, playground_.tweaks.values(offered_set()));
+    tweaks.set_locks(playground_.tweaks.locks());
+    lay_changes_over(*then, look, tweaks);
+    look.values = tweaks.values();
+    look.locked = tweaks.locks();
+    std::ranges::copy(locks_without_tweak(now), std::back_inserter(look.locked));
+    if (same(look.events, then->events)) look.events = now.events;
+    if (look.watch == then->watch) look.watch = now.watch;
+    if (look.time == then->time) look.time = now.time;
+    const std::vector<std::string> found = channel_texts(look), before = channel_texts(*then);
+    for (std::size_t i = 0; i < found.size(); ++i)
+        if (found[i] == before[i]) look.channels[i] = shown.channels[i];
+    return read;
+}
+
+// Whether nobody would see that it was restored.
+bool PlaygroundWindow::says_what_stands(const Preset& look) const {
+    const TweakValues& tweaks = playground_.tweaks;
+    const Preset& written = *playground_.as_written();
+    const bool has_values =
+        look.values == tweaks.values() || look.values == tweaks.values(offered_set());
+    return has_values && same(look.events, playground_.preset()->events) &&
+           std::ranges::is_permutation(look.locked, written.locked) && look.watch == watch() &&
+           look.time == written.time && channel_texts(look) == channel_texts(*playground_.preset());
 }
 
 // The newest work that a run has left on this file, unless it is what the file says anyway.
 void PlaygroundWindow::find_unsaved() {
     while ((offer_ = unsaved_work_.find(place_))) {
         const ReadPreset read = read_offer();
-        if (read.preset &&
-            (read.preset->values != playground_.tweaks.values() ||
-             !same(read.preset->events, playground_.preset()->events) ||
-             !std::ranges::is_permutation(read.preset->locked, playground_.as_written()->locked) ||
-             read.preset->watch != watch() || read.preset->time != playground_.as_written()->time ||
-             channel_texts(*read.preset) != channel_texts(*playground_.preset())))
-            return;
+        if (read.preset && !says_what_stands(*read.preset)) return;
         if (!read.preset)
             notice(fmt::format("The work that was kept of {} is damaged; it stays in {}.",
                                place_.filename().string(), unsaved_work_.found_folder().string()));
@@ -163,9 +204,8 @@ void PlaygroundWindow::find_unsaved() {
 void PlaygroundWindow::restore() {
     const ReadPreset read = read_offer();
     if (!read.preset) return;
-    // What was restored before stays: of the last run's two sets this is the other one.
-    if (std::exchange(has_restored_, true))
-        playground_.tweaks.show(other_set(playground_.tweaks.shown()));
+    playground_.tweaks.show(offered_set());
+    has_restored_ = true;
     if (!same(read.preset->events, playground_.as_written()->events))
         recorded_ = read.preset->events;
     const std::vector<std::string> mine = channel_texts(*playground_.preset());

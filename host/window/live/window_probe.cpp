@@ -24,8 +24,7 @@ bool PlaygroundWindow::probes() const {
 
 const std::vector<std::string>& PlaygroundWindow::watch() const {
     static const std::vector<std::string> kNobody;
-    const Preset* written = playground_.as_written();
-    return watch_ ? *watch_ : written ? written->watch : kNobody;
+    return watch_ ? *watch_ : written() ? written()->watch : kNobody;
 }
 
 // The place that is asked about: that which is pinned, or that under the mouse.

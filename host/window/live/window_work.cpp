@@ -31,69 +31,74 @@ std::string read_text(const fs::path& file) {
 
 }  // namespace
 
+// What the work on the screen is work on: the look of its file. Null while there is none, and while
+// a file that was opened is drawn for the first time.
+const Preset* PlaygroundWindow::written() const {
+    if (const Preset* file = playground_.as_written()) return values_known_ ? file : nullptr;
+    return left_ ? &left_->look : nullptr;
+}
+
+// That the scene on the screen was opened by.
+fs::path PlaygroundWindow::shown_file() const {
+    return values_known_ || !playground_.is_open() ? file_ : playground_.preset()->file;
+}
+
 std::vector<Event> PlaygroundWindow::unsaved_events() const {
     const Recorder& recorder = playground_.recorder;
-    return recorder.recording() ? with_written_events(recorder.events()) : recorded_;
+    return records_ ? with_written_events(recorder.events(), recorder.end()) : recorded_;
 }
 
 // Between those of the file that go before and after; while it lasted the file's own were recorded,
 // too. Nothing where nothing happened.
-std::vector<Event> PlaygroundWindow::with_written_events(std::span<const Event> recorded) const {
-    const Preset* written = playground_.as_written();
-    if (recorded.size() <= recorded_at_start_ || !written) return {};
-    const std::vector<Event>& own = written->events;
+std::vector<Event> PlaygroundWindow::with_written_events(std::span<const Event> recorded,
+                                                         double end) const {
+    if (recorded.size() <= recorded_at_start_ || !written()) return {};
+    const std::vector<Event>& own = written()->events;
     const auto before =
         own.begin() + static_cast<std::ptrdiff_t>(std::min(written_before_, own.size()));
-    const auto after =
-        std::ranges::upper_bound(before, own.end(), recorded.back().time, {}, &Event::time);
+    const auto after = std::ranges::upper_bound(before, own.end(), end, {}, &Event::time);
     std::vector<Event> all(own.begin(), before);
     all.insert(all.end(), recorded.begin(), recorded.end());
     all.insert(all.end(), after, own.end());
+    std::ranges::stable_sort(all, {}, &Event::time);  // what is let go comes behind the last frame
     return all;
 }
 
 void PlaygroundWindow::start_recording() {
     recorded_.clear();
-    const Preset* written = playground_.as_written();
     const auto before =
-        written ? events_between(written->events, -std::numeric_limits<double>::infinity(),
-                                 playground_.instant().time)
-                : std::span<const Event>();
+        written() ? events_between(written()->events, -std::numeric_limits<double>::infinity(),
+                                   playground_.instant().time)
+                  : std::span<const Event>();
     written_before_ = before.size();
     playground_.start_recording(before);
     recorded_at_start_ = playground_.recorder.events().size();
+    records_ = true;
     notice("Recording mouse and keys");
 }
 
 // What undo does not take back, beside recorded events.
 bool PlaygroundWindow::is_unsaved_but_values() const {
-    const Preset& written = *playground_.as_written();
-    return playground_.has_fills() || watch() != written.watch ||
-           start_time_.value_or(written.time) != written.time ||
-           !std::ranges::is_permutation(playground_.current_preset().locked, written.locked);
+    const Preset& file = *written();
+    return playground_.has_fills() || watch() != file.watch ||
+           start_time_.value_or(file.time) != file.time ||
+           !std::ranges::is_permutation(playground_.current_preset().locked, file.locked);
 }
 
 bool PlaygroundWindow::is_unsaved() const {
-    const Preset* written = playground_.as_written();
-    if (values_known_ && written)
-        return has_worked(playground_.tweaks.shown()) || !unsaved_events().empty() ||
-               is_unsaved_but_values();
-    // A file that cannot be shown leaves the scene before to work on.
-    const bool is_before = !written && playground_.is_open();
-    return is_before && playground_.tweaks.values() != left_values_;
+    return written() && (has_worked(playground_.tweaks.shown()) || !unsaved_events().empty() ||
+                         is_unsaved_but_values());
 }
 
 // A set in which nobody has worked may be what the file was before it was saved from the other.
 bool PlaygroundWindow::has_worked(TweakSet set) const {
     const std::vector<TweakValue> values = playground_.tweaks.values(set);
-    return values != playground_.as_written()->values && values != at_rest_[place_of(set)];
+    return values != written()->values && values != at_rest_[place_of(set)];
 }
 
 // What there is to save or to revert.
 bool PlaygroundWindow::differs_from_file() const {
-    const Preset* written = playground_.as_written();
-    return is_unsaved() ||
-           (values_known_ && written && playground_.tweaks.values() != written->values);
+    return is_unsaved() || (written() && playground_.tweaks.values() != written()->values);
 }
 
 // Of the other set of tweaks, A or B: what a person made there before flipping. One that was never
@@ -101,8 +106,8 @@ bool PlaygroundWindow::differs_from_file() const {
 bool PlaygroundWindow::hides_work() const {
     const TweakSet hidden = other_set(playground_.tweaks.shown());
     const std::vector<TweakValue> values = playground_.tweaks.values(hidden);
-    return values_known_ && playground_.as_written() && worked_in_[place_of(hidden)] &&
-           values != playground_.as_written()->values && values != playground_.tweaks.values();
+    return written() && worked_in_[place_of(hidden)] && values != written()->values &&
+           values != playground_.tweaks.values();
 }
 
 // So that a question is about what is seen.
@@ -115,7 +120,7 @@ void PlaygroundWindow::show_hidden_work() {
 bool PlaygroundWindow::takes_away(Leaving::For what) const {
     if (what == Leaving::For::quit || what == Leaving::For::open) return is_unsaved();
     // Undo takes back what a revert does to the values; what is being recorded goes on.
-    const bool reverts = what == Leaving::For::revert && playground_.as_written();
+    const bool reverts = what == Leaving::For::revert && written();
     return !recorded_.empty() || (reverts && is_unsaved_but_values());
 }
 
@@ -138,6 +143,7 @@ void PlaygroundWindow::go(Leaving leaving) {
             let_go_of_work();
             keep_picture();
             values_known_ = false;
+            left_.reset();
             return window_.close();
         case Leaving::For::open:
             return leaving.new_from.empty() ? import_or_open(leaving.file) : open_new(leaving);
@@ -202,21 +208,14 @@ void PlaygroundWindow::open(const fs::path& file) {
         options_.tweaks.clear();
         options_.quality.clear();
     }
+    stay_with_scene();
     file_ = file;
     values_known_ = false;
-    worked_in_ = {};
-    at_rest_ = {};
-    left_values_ = playground_.tweaks.values();
-    if (const Preset* written = playground_.as_written()) left_time_ = written->time;
-    recorded_.clear();
-    start_time_.reset();
-    watch_.reset();
     settings_.probe = {};
     probe_.stop();
     overwriting_.reset();
     unsaved_work_.leave_found();
     has_restored_ = false;
-    kept_ = {};
     offer_.reset();
     study_.clear();
     check_.clear();
@@ -230,6 +229,43 @@ void PlaygroundWindow::open(const fs::path& file) {
     folder_ = file.has_parent_path() ? file.parent_path() : ".";
     list_files();
     dirty_ = true;
+}
+
+// It is drawn on, and may be worked on, until what is opened can be shown.
+void PlaygroundWindow::stay_with_scene() {
+    if (!playground_.is_open()) return;
+    const bool is_files = values_known_ || playground_.as_written() || !left_;
+    left_ = Left{is_files ? place_ : left_->place, preset_to_save()};
+    begin_work();
+    for (const TweakSet set : kTweakSets) at_rest_[place_of(set)] = playground_.tweaks.values(set);
+}
+
+// Another scene is about to take its place, unasked: what was done to it since it was left waits
+// for who opens it again.
+void PlaygroundWindow::leave_scene() {
+    stop_recording();
+    bool has_any = false;
+    for (const TweakSet set : kTweakSets) {
+        if (!has_work(set)) continue;
+        keep_now(set);
+        has_any = true;
+    }
+    unsaved_work_.leave();
+    if (has_any)
+        notice(fmt::format("What was changed in {} is kept, and offered where that is opened again",
+                           left_->place.filename().string()));
+    left_.reset();
+    begin_work();
+}
+
+// On what nobody has worked on yet.
+void PlaygroundWindow::begin_work() {
+    worked_in_ = {};
+    at_rest_ = {};
+    kept_ = {};
+    recorded_.clear();
+    start_time_.reset();
+    watch_.reset();
 }
 
 // Shows what there is to choose from. What is open stays.
@@ -284,8 +320,7 @@ void PlaygroundWindow::import_or_open(const fs::path& file) {
 // What is on the screen: where the picture fills the window, its size is the window's.
 Preset PlaygroundWindow::preset_to_save() const {
     Preset preset = playground_.current_preset();
-    const Preset* written = playground_.as_written();
-    preset.time = start_time_.value_or(written ? written->time : left_time_);
+    preset.time = start_time_.value_or((written() ? written() : playground_.preset())->time);
     preset.watch = watch();
     const std::optional<glm::ivec2> frame = frame_size();
     const bool is_free = !frame || settings_.free_aspect;
@@ -336,13 +371,12 @@ bool PlaygroundWindow::is_gone() const {
     return values_known_ && playground_.as_written() && !fs::exists(file_, unknown);
 }
 
-// Into what the file holds, or, where it is new, into a copy of the preset that is open.
+// Into what the file holds of the same scene, or else into a copy of the preset that is open.
 bool PlaygroundWindow::write_look(const Preset& preset, const fs::path& file) {
-    std::error_code unknown;
-    // A file that cannot be shown leaves the scene before to work on.
-    const fs::path from = values_known_ ? file_ : playground_.preset()->file;
-    const fs::path model = fs::exists(file, unknown) ? file : is_preset(from) ? from : fs::path();
-    const PresetText text = write_preset(preset, file, read_text(model));
+    const fs::path from = shown_file();
+    std::string model = read_text(file);
+    if (!names_scene(model, file, preset.scene)) model = is_preset(from) ? read_text(from) : "";
+    const PresetText text = write_preset(preset, file, model);
     if (!text.text) {
         notice(text.diagnostics.empty() ? "The preset cannot be saved."
                                         : to_string(text.diagnostics.front()));
@@ -377,11 +411,11 @@ void PlaygroundWindow::go_on_in(const fs::path& file, const Preset& preset) {
 }
 
 void PlaygroundWindow::revert() {
-    if (!playground_.is_open() || !values_known_) return;
-    const bool is_undone = playground_.tweaks.values() != playground_.as_written()->values;
-    playground_.tweaks.set_all(playground_.as_written()->values);
+    if (!written()) return;
+    const bool is_undone = playground_.tweaks.values() != written()->values;
+    playground_.tweaks.set_all(written()->values);
     playground_.tweaks_changed();
-    playground_.tweaks.set_locks(playground_.as_written()->locked);
+    playground_.tweaks.set_locks(written()->locked);
     playground_.forget_fills();
     recorded_.clear();
     start_time_.reset();
@@ -389,7 +423,7 @@ void PlaygroundWindow::revert() {
     unsaved_work_.forget_aside();
     const std::string how =
         is_undone ? fmt::format("; {} takes it back", keys_of(Action::undo)) : "";
-    notice(fmt::format("Reverted to {}{}", file_.filename().string(), how));
+    notice(fmt::format("Reverted to {}{}", shown_file().filename().string(), how));
 }
 
 void PlaygroundWindow::tell_overruled() {
@@ -405,21 +439,30 @@ void PlaygroundWindow::tell_overruled() {
 
 void PlaygroundWindow::toggle_recording() {
     if (!playground_.is_open()) return notice("Nothing is open.");
-    if (playground_.recorder.recording()) {
-        stop_recording();
-        notice(recorded_.empty()
-                   ? "Nothing was done, and nothing is recorded"
-                   : fmt::format("Recorded, {} events in all; save the preset to keep them",
-                                 recorded_.size()));
-    } else {
-        leave({Leaving::For::record, {}});
-    }
+    if (!records_) return leave({Leaving::For::record, {}});
+    stop_recording();
+    tell_recorded();
+}
+
+void PlaygroundWindow::tell_recorded() {
+    notice(recorded_.empty()
+               ? "Nothing was done, and nothing is recorded"
+               : fmt::format("Recorded, {} events in all; save the preset to keep them",
+                             recorded_.size()));
 }
 
 void PlaygroundWindow::stop_recording() {
-    if (!playground_.recorder.recording()) return;
-    recorded_ = with_written_events(playground_.recorder.stop());
+    if (!std::exchange(records_, false)) return;
+    const double end = playground_.recorder.end();
+    recorded_ = with_written_events(playground_.recorder.stop(), end);
     kept_ = {};
+}
+
+// Where time goes back, a recording has ended with what was done until then.
+void PlaygroundWindow::follow_recording() {
+    if (!records_ || playground_.recorder.recording()) return;
+    stop_recording();
+    tell_recorded();
 }
 
 // The command line's tweaks, and the values that it names by --quality, are changes like those by

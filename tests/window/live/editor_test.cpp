@@ -84,7 +84,6 @@ TEST_F(Editors, AreGivenThePlace) {
     EXPECT_EQ(editor.problem(), "");
 }
 
-// Ctrl+C in the terminal goes to all that belong to its session.
 // A file that an #include names may be called "-c!rm *".
 TEST_F(Editors, TakeNoNameForAnOption) {
     for (const char* name : {"vim", "code", "nano", "emacs", "kate", "hx", "other"})
@@ -93,6 +92,25 @@ TEST_F(Editors, TakeNoNameForAnOption) {
     EXPECT_EQ(editor_command("vim", {"-c!touch taken", 3, 1}).back(), "./-c!touch taken");
 }
 
+// As a shell reads a command, and nothing of a file's name.
+TEST_F(Editors, AreNamedWithQuotesAndBackslashes) {
+    using Words = std::vector<std::string>;
+    for (const auto& [line, words] : std::vector<std::pair<std::string, Words>>{
+             {"emacsclient -a ''", {"emacsclient", "-a", ""}},
+             {R"('/opt/my editor/run' "two  words" a\ b)",
+              {"/opt/my editor/run", "two  words", "a b"}},
+             {R"(ed "say \"it\" \n" 'a\b"c'd)", {"ed", R"(say "it" \n)", R"(a\b"cd)"}},
+             {"  ed\t-x ", {"ed", "-x"}},
+             {"ed 'not closed", {"ed", "not closed"}},
+             {"ed \\", {"ed", "\\"}}}) {
+        Words command = editor_command(line, {"it's $HOME;.frag", 3, 1});
+        EXPECT_EQ(command.back(), "it's $HOME;.frag");
+        command.resize(words.size());
+        EXPECT_EQ(command, words) << line;
+    }
+}
+
+// Ctrl+C in the terminal goes to all that belong to its session.
 TEST_F(Editors, OutliveTheTerminal) {
     const fs::path told = folder / "told";
     ::mkfifo(told.c_str(), 0600);
