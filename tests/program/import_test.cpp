@@ -62,7 +62,8 @@ protected:
 TEST_F(Import, AFunctionMayBearTheNameOfABufferOrOfItsPass) {
     Json passes = chain(257, 258, 37);
     passes[3]["code"] =
-        "float bufferA() { return 0.4; }\nfloat shared_green() { return bufferA(); }\n"
+        "float bufferA() { return 0.4; }\n"
+        "float shared_green() { return bufferA(); }\n"
         "void mainBufferB(out vec4 c, in vec2 p) { c = vec4(0.9); }";
     write("a.json",
           Json{{"Shader", {{"ver", "0.1"}, {"info", Json::object()}, {"renderpass", passes}}}}
@@ -99,7 +100,7 @@ TEST_F(Import, BothDialectsDrawTheSame) {
 }
 
 TEST_F(Import, AShaderOfOneTabStaysAsItIs) {
-    const std::string code = "void mainImage(out vec4 c, in vec2 p) { c = vec4(1, 0, 0, 1); }\n";
+    const std::string code = "void mainImage(out vec4 c, in vec2 p) { c = vec4(1); }\n";
     write("one.json",
           Json::array({{{"renderpass", Json::array({pass("image", "Image", 37, code)})}}}).dump());
     ASSERT_EQ(glint({"import", "one.json", "-o", "one.frag"}).code, 0);
