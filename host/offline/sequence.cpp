@@ -38,6 +38,30 @@ using Json = nlohmann::ordered_json;
 // What a GPU may draw while the first of them is still on its way to memory.
 constexpr std::size_t kPicturesAhead = 2;
 
+// Of --from-pictures.
+void require_pictures(const SequenceOptions& options, Target target) {
+    const std::string& pictures = options.from_pictures;
+    if (!numbered_name(pictures))
+        throw UsageError(
+            fmt::format("--from-pictures {}: name them as in frames/%06d.png.", pictures));
+    if (!options.state.save.empty() || !options.state.from.empty())
+        throw UsageError(
+            "--from-pictures draws nothing that a state could be kept of or begin with; leave "
+            "--save-state and --from-state out.");
+    if (target == Target::pictures)
+        throw UsageError(
+            "--from-pictures joins pictures to a film; name it .mp4, .webm, .mov or .gif, or - for "
+            "raw frames on stdout.");
+    if (!begins_with_metadata(pictures))
+        throw UsageError(
+            "--from-pictures needs pictures that tell what they were made from: png, or exr to be "
+            "looked through.");
+    if (!options.output.empty() && ending_of(pictures) != ".png")
+        throw UsageError(
+            "--from-pictures joins png pictures; draw them so, as in --from-pictures "
+            "frames/%06d.png.");
+}
+
 Target target_of(const SequenceOptions& options) {
     const std::string& output = options.output;
     const bool is_numbered = numbered_name(output).has_value();
@@ -52,32 +76,7 @@ Target target_of(const SequenceOptions& options) {
                           : output == "-"                   ? Target::raw
                           : is_film(output) && !is_numbered ? Target::film
                                                             : Target::pictures;
-    if (!options.from_pictures.empty() && !numbered_name(options.from_pictures)) {
-        throw UsageError(fmt::format("--from-pictures {}: name them as in frames/%06d.png.",
-                                     options.from_pictures));
-    }
-    if (!options.from_pictures.empty() &&
-        !(options.state.save.empty() && options.state.from.empty())) {
-        throw UsageError(
-            "--from-pictures draws nothing that a state could be kept of or begin with; leave "
-            "--save-state and --from-state out.");
-    }
-    if (!options.from_pictures.empty() && target == Target::pictures) {
-        throw UsageError(
-            "--from-pictures joins pictures to a film; name it .mp4, .webm, .mov or .gif, or - for "
-            "raw frames on stdout.");
-    }
-    if (!options.from_pictures.empty() && !begins_with_metadata(options.from_pictures)) {
-        throw UsageError(
-            "--from-pictures needs pictures that tell what they were made from: png, or exr to be "
-            "looked through.");
-    }
-    if (!options.from_pictures.empty() && !output.empty() &&
-        ending_of(options.from_pictures) != ".png") {
-        throw UsageError(
-            "--from-pictures joins png pictures; draw them so, as in --from-pictures "
-            "frames/%06d.png.");
-    }
+    if (!options.from_pictures.empty()) require_pictures(options, target);
     if (target == Target::pictures && (!is_numbered || !can_write(output))) {
         throw UsageError(
             fmt::format("-o {}: name pictures such as out.%04d.png (or exr, jpg, tif, hdr), a film "
