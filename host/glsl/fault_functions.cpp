@@ -123,9 +123,11 @@ constexpr std::array<Domain, 3> kTwo = {
     {{"pow", "a < 0.0 || (a == 0.0 && b <= 0.0)", "a < 0.0 || (a == 0.0 && b <= 0.0)", "a",
       "max(v, -glint0_scale * v) + glint0_scale * (1.0 - step(1e-30, abs(v) + max(w, 0.0))), "
       "w + (1.0 - step(1e-30, abs(v) + abs(w)))"},
-     {"mod", "b == 0.0", "b == 0.0", "abs(b)", "v, w + glint0_scale * glint0_side"},
+     {"mod", "b == 0.0", "b == 0.0", "abs(b)",
+      "v, w + glint0_scale * glint0_side * (1.0 - step(1e-30, abs(w)))"},
      {"atan", "a == 0.0 && b == 0.0", "a == 0.0 && b == 0.0", "3e38",
-      "v + glint0_scale * glint0_side, w + 1.0"}}};
+      "v + glint0_scale * glint0_side * (1.0 - step(1e-30, abs(v) + abs(w))), "
+      "w + (1.0 - step(1e-30, abs(v) + abs(w)))"}}};
 
 // What is done for each component of a vector.
 std::string for_each(int length, const std::string& call) {

@@ -1,5 +1,6 @@
 #include "offline/common.h"
 
+#include "base/canonical_name.h"
 #include "base/say.h"
 #include "base/terminal.h"
 #include "base/words.h"
@@ -101,7 +102,8 @@ void report(const Diagnostics& diagnostics) {
     for (const Diagnostic& diagnostic : diagnostics) {
         if (++said <= kMostSaid) say_diagnostic(diagnostic);
         // No shader is at fault where a preset cannot be read.
-        const bool unreadable = diagnostic.missing_file || diagnostic.place.file.ends_with(".toml");
+        const bool unreadable =
+            diagnostic.missing_file || ending_of(diagnostic.place.file) == ".toml";
         missing |= diagnostic.severity == Severity::error && unreadable;
     }
     if (said > kMostSaid) say("… and {} more\n", said - kMostSaid);

@@ -115,9 +115,8 @@ std::vector<GraphPass> Exporter::drawn_passes() const {
 void Exporter::compile_told_of() {
     for (std::size_t i = 0; i < pictures_.size(); ++i) {
         for (std::size_t k = 0; k < pictures_[i].programs.size(); ++k) {
-            const PassProgram& program = pictures_[i].programs[k];
-            const std::array<bool, 4> named = channels_named(program.pass);
-            for (const std::size_t told : channels_told_of(preset_, program)) {
+            const std::array<bool, 4> named = channels_named(pictures_[i].programs[k].pass);
+            for (const std::size_t told : channels_told_of(preset_, pictures_[i].programs[k])) {
                 const Sampler& sampler = sampler_at(preset_, told);
                 const bool is_named = named[static_cast<std::size_t>(sampler.name.back() - '0')];
                 if (is_named && sampler.source == Source::buffer && !drawn(sampler.pass))
@@ -389,22 +388,6 @@ std::string with_sampler_named(const std::string& text, const Known& known, std:
     return edits.apply().text;
 }
 
-// Behind the lines that an earlier export put before a tab's text, which has come back since.
-std::size_t end_of_heads(std::string_view text) {
-    std::size_t end = 0;
-    for (std::size_t next = 0; next < text.size();) {
-        const std::size_t after = std::min(text.find('\n', next), text.size() - 1) + 1;
-        const std::string_view line = trimmed(text.substr(next, after - next));
-        constexpr std::string_view kHead = "// iChannel";
-        const bool is_head =
-            line.starts_with(kHead) && (line.ends_with(", clamp") || line.ends_with(", repeat"));
-        if (!line.empty() && !is_head) break;
-        next = after;
-        if (is_head) end = next;
-    }
-    return end;
-}
-
 std::string Exporter::tab_text(const Tab& tab) {
     const Known known = known_of_pass(output_names(scene_, tab.pass));
     std::string head, defines, body = site_text(preset_, tab.pass).text;
@@ -420,9 +403,7 @@ std::string Exporter::tab_text(const Tab& tab) {
         else if (!sampler.name.starts_with("iChannel"))
             defines += fmt::format("#define {} iChannel{}\n", sampler.name, i);
     }
-    body.erase(0, end_of_heads(body));
-    body.erase(body.find_last_not_of('\n') + 1);
-    body += '\n';
+    body = without_heads(body);
     const Reading reading = read_glsl(body, known);
     defines += unread_defines(reading, channels);
     defines += unfilled_defines(tab, channels);

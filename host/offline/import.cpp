@@ -81,7 +81,8 @@ std::vector<fs::path> import_shadertoys(const ImportOptions& options, Diagnostic
                                      fs::path(options.output).replace_extension(".frag").string()));
     }
     const std::vector<Shadertoy> shaders = read(options, diagnostics);
-    const fs::path from = is_folder(options.input) ? options.input / kShadertoyFile : options.input;
+    // Files beside it are read: of a folder those in it.
+    const fs::path from = is_folder(options.input) ? options.input / "" : options.input;
     std::vector<fs::path> names;
     std::vector<std::string> texts;
     for (std::size_t i = 0; i < shaders.size(); ++i) {

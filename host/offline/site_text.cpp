@@ -1,11 +1,15 @@
 #include "offline/site_text.h"
 
+#include "base/words.h"
 #include "glsl/reachable.h"
 #include "render/pass_text.h"
 #include "scene/builtin.h"
 #include "scene/scene_text.h"
 
+#include <algorithm>
 #include <ranges>
+#include <regex>
+#include <string_view>
 
 namespace glint {
 namespace {
@@ -71,6 +75,21 @@ SiteText site_text(const Preset& preset, std::size_t pass) {
 std::size_t SiteText::origin(std::size_t at) const {
     for (const EditMap& map : maps | std::views::reverse) at = map.origin(at);
     return at;
+}
+
+std::string without_heads(const std::string& text) {
+    static const std::regex head(
+        "// iChannel[0-3]: .{0,200}, (nearest|linear|mipmap), (clamp|repeat)");
+    std::size_t begin = 0;
+    while (begin < text.size()) {
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        const std::string_view line = trimmed(std::string_view(text).substr(begin, end - begin));
+        if (!line.empty() && !std::regex_match(line.begin(), line.end(), head)) break;
+        begin = end + 1;
+    }
+    begin = std::min(begin, text.size());
+    const std::string kept = text.substr(begin, text.find_last_not_of('\n') + 1 - begin);
+    return kept + '\n';
 }
 
 }  // namespace glint

@@ -21,4 +21,8 @@ struct SiteText {
 };
 SiteText site_text(const Preset& preset, std::size_t pass);
 
+// A tab's text without the lines that an earlier export put before it, which have come back since,
+// and without empty lines at both ends.
+std::string without_heads(const std::string& text);
+
 }  // namespace glint

@@ -42,18 +42,19 @@ public:
         std::string text;
         if (beyond_ > 0)
             text = fmt::format(
-                "{:.2g} % of the samples lie beyond -1 and 1, up to {:.3g}, and are cut off there; "
+                "{} of the samples lie beyond -1 and 1, up to {:.3g}, and are cut off there; "
                 "multiply them by {:.2g}",
-                percent(beyond_), largest_, std::floor(99.0 / static_cast<double>(largest_)) / 100);
+                share(beyond_), largest_, 0.95 / static_cast<double>(largest_));
         if (none_ > 0)
-            text += fmt::format("{}{:.2g} % of the samples are NaN or infinite",
-                                text.empty() ? "" : "; ", percent(none_));
+            text += fmt::format("{}{} of the samples are NaN or infinite", text.empty() ? "" : "; ",
+                                share(none_));
         return text;
     }
 
 private:
-    double percent(long some) const {
-        return 100.0 * static_cast<double>(some) / static_cast<double>(count_);
+    std::string share(long some) const {
+        const double percent = 100.0 * static_cast<double>(some) / static_cast<double>(count_);
+        return percent < 0.1 ? fmt::format("{}", some) : fmt::format("{:.3g} %", percent);
     }
     long count_ = 0, beyond_ = 0, none_ = 0;
     float largest_ = 0.0f;

@@ -1,5 +1,6 @@
 #include "scene/lint.h"
 
+#include "base/canonical_name.h"
 #include "base/words.h"
 #include "glsl/finding.h"
 #include "scene/scene_text.h"
@@ -82,7 +83,7 @@ private:
     }
     // Whether a place stands in the scene's own file.
     bool is_own(const Place& place) const {
-        const bool is_made = scene_.files.front().extension() == ".json" && scene_.files.size() > 1;
+        const bool is_made = ending_of(scene_.files.front()) == ".json" && scene_.files.size() > 1;
         return place.file == scene_.files[is_made ? 1 : 0].string();
     }
 

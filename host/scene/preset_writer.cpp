@@ -2,6 +2,7 @@
 #include "scene/preset_writer.h"
 
 #include "scene/toml.h"
+#include "scene/toml_keys.h"
 #include "scene/toml_text.h"
 
 #include <fmt/format.h>
@@ -193,7 +194,7 @@ void Editor::edit_root() {
              toml_string(relative_path(preset_.scene.files.front(), folder_)));
     const bool is_new = layout_.text.empty();
     const auto title = layout_.root.find("title");
-    if (preset_.title.empty() && title != layout_.root.end())
+    if (preset_.title.empty() && !old_.title.empty() && title != layout_.root.end())
         remove_lines(title->first, title->second);
     else
         set_root("title", preset_.title == old_.title, toml_string(preset_.title));
@@ -507,6 +508,7 @@ PresetText write_preset(const Preset& preset, const fs::path& file, std::string_
 }
 
 bool names_scene(std::string_view text, const fs::path& file, const Scene& scene) {
+    if (find_deep_key(text)) return false;
     const toml::parse_result parsed = toml::parse(text);
     return parsed && names_scene(parsed.table(), file.parent_path(), scene);
 }

@@ -395,14 +395,15 @@ std::optional<Shadertoy> read_beside_tabs(const fs::path& folder, Diagnostics& d
         return std::nullopt;
     Diagnostics found;
     std::vector<Shadertoy> shaders = read_shadertoys(file, found);
-    if (shaders.size() == 1) {
+    if (shaders.size() == 1 && !has_errors(found)) {
         diagnostics.insert(diagnostics.end(), found.begin(), found.end());
         return std::move(shaders.front());
     }
-    diagnostics.push_back({Severity::warning,
-                           found.empty() ? Place{file.string()} : found.front().place,
-                           "what the tabs read cannot be read from it; iChannel0 to 3 are the "
-                           "buffers A to D that are there"});
+    diagnostics.push_back(
+        {Severity::warning, found.empty() ? Place{file.string()} : found.front().place,
+         fmt::format("what the tabs read cannot be read from it, so iChannel0 to 3 "
+                     "are the buffers A to D that are there{}",
+                     found.empty() ? "" : ": " + found.front().text)});
     return std::nullopt;
 }
 
@@ -470,13 +471,10 @@ std::optional<Shadertoy> read_shadertoy_folder(const fs::path& folder, Diagnosti
         shader.author = exported->author;
         shader.description = exported->description;
     }
-    for (ShadertoyTab& tab : shader.tabs) {
-        const auto known = [&] {
-            return std::ranges::find(exported->tabs, tab.name, &ShadertoyTab::name);
-        };
-        tab.inputs = exported && known() != exported->tabs.end() ? known()->inputs
-                                                                 : usual_inputs(tab.name, shader);
-    }
+    for (ShadertoyTab& tab : shader.tabs) tab.inputs = usual_inputs(tab.name, shader);
+    for (const ShadertoyTab& known : exported ? exported->tabs : std::vector<ShadertoyTab>())
+        for (ShadertoyTab& tab : shader.tabs)
+            if (tab.name == known.name) tab.inputs = known.inputs;
     return shader;
 }
 

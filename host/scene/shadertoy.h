@@ -55,8 +55,8 @@ bool is_shadertoy_folder(const std::filesystem::path& folder);
 
 // One shader from `common.glsl bufferA.glsl … image.glsl`, in any spelling of these names. What a
 // tab reads is told by the folder's kShadertoyFile; without one, iChannel0 to 3 become the buffers
-// A to D that are there. Links
-// that lead out of the folder are left out with a warning each, unless they may lead `anywhere`.
+// A to D that are there. Links that lead out of the folder are left out with a warning each, unless
+// they may lead `anywhere`.
 std::optional<Shadertoy> read_shadertoy_folder(const std::filesystem::path& folder,
                                                Diagnostics& diagnostics, bool anywhere = false);
 

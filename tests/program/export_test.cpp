@@ -105,7 +105,7 @@ TEST_F(Export, ChannelsAreThoseThatTheTextMeans) {
 
 // Another export of what has come back says no more, and one that was cut short is begun again.
 TEST_F(Export, ATextThatComesBackStaysAsLong) {
-    write("a.frag", kScene);
+    write("a.frag", std::string(kScene) + "// iChannels of the film, repeat\n");
     ASSERT_EQ(glint({"export", "a.frag", "-o", "out"}).code, 0);
     ASSERT_EQ(glint({"import", "out/shadertoy.json", "-o", "once.frag"}).code, 0);
     ASSERT_EQ(glint({"export", "once.frag", "-o", "once"}).code, 0);
@@ -113,6 +113,7 @@ TEST_F(Export, ATextThatComesBackStaysAsLong) {
     ASSERT_EQ(glint({"export", "twice.frag", "-o", "twice"}).code, 0);
     EXPECT_EQ(bytes("once/image.glsl"), bytes("twice/image.glsl"));
     EXPECT_EQ(bytes("once/bufferA.glsl"), bytes("twice/bufferA.glsl"));
+    EXPECT_EQ(bytes("once/bufferB.glsl"), bytes("twice/bufferB.glsl"));
     fs::remove(folder() / "twice/shadertoy.json");
     fs::remove(folder() / "twice/bufferA.glsl");
     const Outcome again = glint({"export", "twice.frag", "-o", "twice"});

@@ -61,7 +61,7 @@ TEST_F(Sound, ThatAFileCannotKeepIsTold) {
     EXPECT_EQ(loud.code, 0);
     EXPECT_EQ(loud.err,
               "loud.frag: warning: 25 % of the samples lie beyond -1 and 1, up to 2.5, and are cut "
-              "off there; multiply them by 0.39; 25 % of the samples are NaN or infinite\n");
+              "off there; multiply them by 0.38; 25 % of the samples are NaN or infinite\n");
 }
 
 TEST_F(Sound, OfAnotherFormIsToldAtItsPlace) {

@@ -463,11 +463,21 @@ TEST_F(PresetWriter, ATitleThatIsNoneTakesItsLineAlong) {
         std::string::npos);
 }
 
+TEST_F(PresetWriter, ATitleThatStandsThereEmptyOrWrongStays) {
+    for (const char* title : {"title = \"\"  # later\n", "title = 7\n"}) {
+        const std::string text = "scene = \"../fragments/boat.frag\"\n" + std::string(title);
+        EXPECT_EQ(write_preset(read(text), file_, text).text, text);
+    }
+}
+
 TEST_F(PresetWriter, TellsAPresetOfTheSameSceneFromOthers) {
     const Scene scene = preset().scene;
     EXPECT_TRUE(names_scene("# a\nscene = \"../x/../fragments/boat.frag\"\n", file_, scene));
     for (const char* text : {"scene = \"../other.frag\"\n", "scene = 3\n", "scene = \n", ""})
         EXPECT_FALSE(names_scene(text, file_, scene)) << text;
+    std::string deep = "a";
+    for (int i = 0; i < 300'000; ++i) deep += ".a";
+    EXPECT_FALSE(names_scene(deep + " = 1", file_, scene)) << "what would overflow the stack";
 }
 
 }  // namespace

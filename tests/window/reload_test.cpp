@@ -379,10 +379,11 @@ TEST_F(Reload, ASoakOfReloadsLosesNoSaveAndNoMemory) {
         count, errors, resizes, moves, fmt::join(least_mib, ", "));
     EXPECT_TRUE(moves == 0 || screen_->pixel({3, 3}) != level);
     // A leak of one compiled scene (some 100 KiB in the driver) a reload would be 25 KiB * count in
-    // each quarter: 3 MiB. The first is left out, where what is allocated once arrives; on a busy
-    // machine a picture that is kept, of 3.5 MiB, was seen to arrive later, in one step.
+    // each quarter: 3 MiB. Memory comes in pages of 2 MiB, one of which may arrive in each. The
+    // first is left out, where what is allocated once arrives; on a busy machine a picture that is
+    // kept, of 3.5 MiB, was seen to arrive later, in one step.
 #ifndef __SANITIZE_ADDRESS__  // which keeps what was freed, to catch its use
-    EXPECT_LT(std::min(least_mib[3] - least_mib[2], least_mib[2] - least_mib[1]), 1.0);
+    EXPECT_LT(std::min(least_mib[3] - least_mib[2], least_mib[2] - least_mib[1]), 2.5);
 #endif
 }
 

@@ -25,8 +25,10 @@ protected:
     }
     void wheel(int button, int times) {
         screen_->move(kMiddle);
-        for (int i = 0; i < times; ++i)
-            screen_->button(true, button), screen_->button(false, button);
+        for (int i = 0; i < times; ++i) {
+            screen_->button(true, button);
+            screen_->button(false, button);
+        }
         settle();
     }
     int red() const { return screen_->pixel({kMiddle.x - 100, kMiddle.y}).r; }

@@ -99,8 +99,8 @@ bool is_another_look(const CheckSubject& subject, CaseResult& result);
 
 CasePlace place_of(const ProbeFault& fault);
 
-// The scene with floats of 32 bits in all its buffers, at the tweaks, events and size of now; as it
-// was opened otherwise.
+// The scene with floats of 32 bits in all its buffers, at the tweaks, events, date and size of now;
+// as it was opened otherwise.
 CheckSubject& wide_of(Check& check);
 
 // Fails where a buffer of 16-bit floats is to hold more than they can, which the driver at hand may

@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t kCurvesOfOutput = 9;   // of each channel, their sum, the largest of each
 constexpr std::size_t kParts = 8;            // of a run
 constexpr std::size_t kLeastOfGrowth = 400;  // below, a rounding looks like a growth
-constexpr double kLeastGrowth = 1.02;        // from the first part to the last, of squares
+constexpr double kLeastGrowth = 1.02;        // from the first part to the last
 constexpr double kLeastRatio = 1.01;         // from one increase to the next
 // What the roots' rate has to be of that of the squares: it is half where they grow like exp(t),
 // and nothing where they grow evenly, like a place.

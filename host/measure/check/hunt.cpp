@@ -295,6 +295,11 @@ void run_search(Check& check, CaseResult& result) {
     result.note =
         fmt::format("{}{} points{}", done, done < wanted ? fmt::format(" of {}", wanted) : "",
                     hunter.is_guided() ? "" : ", without a guide");
+    if (done == 0) {
+        result.verdict = CaseVerdict::skip;
+        result.note += "; the seconds were over before the first; longer --seconds reach it";
+        return;
+    }
     if (check.subject.stateful()) play_on(hunter, check, result);
     if (check.subject.stateful() && result.verdict != CaseVerdict::fail)
         endure_worst(hunter, check, result);

@@ -45,6 +45,7 @@ CheckSubject& wide_of(Check& check) {
     wide.restore();
     if (!subject.specialised()) wide.preset.values = subject.preset.values;
     wide.preset.events = subject.preset.events;
+    wide.preset.date = subject.preset.date;
     wide.resize(subject.preset.size);
     return wide;
 }

@@ -94,7 +94,9 @@ double at_share(const Tweak& tweak, const Range& range, double share) {
 }
 
 Space::Space(const CheckSubject& subject, const std::vector<int>& keys)
-    : tweaks_(subject.opened().scene.tweaks), usual_size_(subject.opened().size) {
+    : tweaks_(subject.opened().scene.tweaks),
+      usual_size_(subject.opened().size),
+      is_stateful_(subject.stateful()) {
     const std::vector<Tweak>& tweaks = tweaks_;
     for (std::size_t i = 0; i < tweaks.size(); ++i) {
         const auto range = range_of(tweaks[i]);
@@ -172,28 +174,36 @@ Point Space::at_odd_size(Point point) const {
 std::vector<Point> Space::inputs() const {
     constexpr double kTimes[] = {100.0, 3000.0};  // s
     constexpr double kPlaces[][2] = {{0.12, 0.18}, {0.5, 0.51}, {0.87, 0.81}};
-    std::vector<Point> points;
+    // Who has little time comes to the first ones.
+    std::vector<Point> keys, times, hands, places;
     Point all_keys = usual_;
     for (std::size_t i = 0; i < axes_.size(); ++i) {
-        const auto with = [&](std::initializer_list<double> values) {
-            points.push_back(usual_);
-            std::ranges::copy(values, points.back().begin() + static_cast<std::ptrdiff_t>(i));
+        const auto with = [&](std::vector<Point>& list, std::initializer_list<double> values) {
+            list.push_back(usual_);
+            std::ranges::copy(values, list.back().begin() + static_cast<std::ptrdiff_t>(i));
         };
-        if (axes_[i].of == Axis::Of::time)
-            for (const double time : kTimes) with({share_of_time(time)});
-        if (axes_[i].of == Axis::Of::date)
+        const Axis& axis = axes_[i];
+        if (axis.of == Axis::Of::time)
+            for (const double time : kTimes) with(times, {share_of_time(time)});
+        if (axis.of == Axis::Of::date)
             for (std::size_t k = 1; k <= kDates.size(); ++k)
-                with({(static_cast<double>(k) + 0.5) / (kDates.size() + 1)});
-        if (axes_[i].of == Axis::Of::mouse && axes_[i].component == 0)
+                with(times, {(static_cast<double>(k) + 0.5) / (kDates.size() + 1)});
+        for (std::size_t hand = 0; axis.of == Axis::Of::mouse && hand < kHands; ++hand) {
+            // Of a state what was clicked at its start is held.
+            const bool is_new = !is_stateful_ || static_cast<Hand>(hand) != Hand::holds;
             for (const auto& place : kPlaces)
-                for (std::size_t hand = 0; hand < kHands; ++hand)
-                    with({place[0], place[1], (static_cast<double>(hand) + 0.5) / kHands});
-        if (axes_[i].of != Axis::Of::key) continue;
-        with({1.0});
+                if (axis.component == 0 && is_new)
+                    with(&place == kPlaces ? hands : places,
+                         {place[0], place[1], (static_cast<double>(hand) + 0.5) / kHands});
+        }
+        if (axis.of != Axis::Of::key) continue;
+        with(keys, {1.0});
         all_keys[i] = 1.0;
     }
-    if (all_keys != usual_ && points.back() != all_keys) points.push_back(all_keys);
-    return points;
+    if (keys.size() > 1) keys.push_back(all_keys);
+    for (const auto& more : {times, hands, places})
+        keys.insert(keys.end(), more.begin(), more.end());
+    return keys;
 }
 
 Point Space::rounded(Point point, std::size_t axis) const {
@@ -253,7 +263,7 @@ double Space::apply(const Point& point, CheckSubject& subject) const {
     }
     if (is_moved || !held.empty()) subject.preset.events.clear();
     const Hand hand = hand_at(mouse.z);
-    if (is_moved && hand != Hand::clicks) time = std::max(time, kHandFrames);
+    if (is_moved && hand != Hand::clicks && !subject.stateful()) time = std::max(time, kHandFrames);
     if (is_moved)
         subject.preset.events =
             mouse_events(hand, glm::dvec2(mouse), subject.stateful() ? 0.0 : time);

@@ -61,6 +61,7 @@ private:
     std::vector<std::optional<double>> zero_;  // the share at which a tweak is 0
     Point usual_;
     glm::ivec2 usual_size_;
+    bool is_stateful_;
 };
 
 // "2028-02-29 12:00:00"

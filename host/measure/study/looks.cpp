@@ -182,7 +182,7 @@ bool compares_looks(const StudyOptions& options) {
 void run_looks(const StudyOptions& options) {
     if (options.csv || options.lines)
         throw UsageError("--csv and --lines tell of rows; of two looks --json tells.");
-    if (options.output.extension() == ".toml")
+    if (is_preset(options.output))
         throw UsageError("-o of two looks is a folder; a preset is written for a budget.");
     const bool turns = !options.view.tweaks.empty() || !options.view.quality.empty();
     if (turns && std::ranges::all_of(options.files, is_picture_file))

@@ -25,7 +25,7 @@ std::vector<fs::path> presets_near(const Preset& preset) {
     for (const fs::path& folder : folders) {
         std::error_code none;
         for (const auto& entry : fs::directory_iterator(folder.empty() ? "." : folder, none))
-            if (entry.path().extension() == ".toml") files.push_back(entry.path());
+            if (is_preset(entry.path())) files.push_back(entry.path());
     }
     std::ranges::sort(files);
     return files;

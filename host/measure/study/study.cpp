@@ -547,7 +547,7 @@ void require_report_apart(const StudyOptions& options) {
 
 void run_study(const StudyOptions& options) {
     if (compares_looks(options)) return run_looks(options);
-    const bool to_preset = options.output.extension() == ".toml";
+    const bool to_preset = is_preset(options.output);
     if (limit_of(options) && options.time_only)
         throw UsageError("--metric time tells no error, by which a budget chooses.");
     if (limit_of(options) && options.name != kBest && !to_preset)

@@ -1,5 +1,6 @@
 #include "window/live/editor.h"
 
+#include "base/canonical_name.h"
 #include "base/launch.h"
 #include "window/live/neovim.h"
 
@@ -156,7 +157,7 @@ std::string Editor::open(const Place& place) {
     }
     if (!is_found(command.front()))
         return fmt::format("No editor is found: there is no {}; set $EDITOR.", command.front());
-    const bool is_preset = std::filesystem::path(place.file).extension() == ".toml";
+    const bool is_preset = ending_of(place.file) == ".toml";
     if (name == kDesktopsChoice && !is_preset && desktop_chooses_us())
         return "The desktop opens scenes with Glint itself; set $EDITOR.";
     if (needs_terminal(command)) {

@@ -1,4 +1,5 @@
 // What has to be answered before a person goes on: where to save, what to do with unsaved work.
+#include "base/canonical_name.h"
 #include "base/temporary_file.h"
 #include "scene/preset.h"
 #include "window/ui/interface.h"
@@ -144,7 +145,7 @@ void ask_new_scene(Build& build, NewSceneState& state) {
     const bool entered = path_field(build.theme, "A new scene", state.path);
     choose_template(build, state);
     fs::path path(state.path);
-    if (!path.empty() && path.extension() != ".frag") path += ".frag";
+    if (!path.empty() && ending_of(path) != ".frag") path += ".frag";
     const bool exists = is_taken(path), is_free = !exists && has_folder(path);
     text_in(is_free ? colours::kDim : colours::kWarning,
             exists    ? "This file is there already; name another."
