@@ -386,7 +386,7 @@ Diagnostic ReadText::complaint(Said said) const {
     }
     const std::size_t hash = pass_.text.rfind('#', spot.at);
     if (words.ends_with(kConditionBehind) && hash != std::string::npos &&
-        pass_.text.compare(hash, 6, "#undef") == 0)
+        pass_.text.compare(hash, 6, "#undef") == 0 && pass_.text.find('\n', hash) >= spot.at)
         words.erase(words.size() - kConditionBehind.size());
     if (said_words == "Unterminated #if")
         if (auto mistyped = mistyped_behind(spot.at)) return *mistyped;

@@ -29,7 +29,7 @@ bool is_fed_back_in_halves(const CheckSubject& subject, std::size_t graph_index)
            bytes_a_channel(subject.renderer().buffer(graph_index).shape().format) == 2;
 }
 
-// The same values of the buffers that are kept in halves, one after the other.
+// What these buffers hold, one after the other.
 std::vector<float> state_of(const CheckSubject& subject, const std::vector<std::size_t>& buffers) {
     std::vector<float> state;
     for (const std::size_t index : buffers)
