@@ -265,8 +265,9 @@ bool Writer::is_never_drawn(const ShadertoyInput& input) const {
 
 void Writer::write_input(const ShadertoyTab& tab, const ShadertoyInput& input) {
     if (is_never_drawn(input)) {
-        warn(fmt::format("{}, iChannel{}: no tab is {}; it is black", tab.name, input.channel,
-                         in_quotes(input.buffer)));
+        warn(fmt::format("{}, iChannel{}: {} is not in this {}; it is black", tab.name,
+                         input.channel, in_quotes(input.buffer),
+                         from_.has_filename() ? "file" : "folder"));
         if (input.buffer.starts_with("cube"))
             text_ += fmt::format("uniform samplerCube iChannel{};\n", input.channel);
         return;
