@@ -1,6 +1,7 @@
 #include "measure/study/over.h"
 
 #include "base/say.h"
+#include "base/terminal.h"
 #include "base/words.h"
 #include "offline/common.h"
 
