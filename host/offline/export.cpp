@@ -3,7 +3,6 @@
 #include "base/json_text.h"
 #include "base/say.h"
 #include "base/temporary_file.h"
-#include "base/words.h"
 #include "gl/context.h"
 #include "glsl/edits.h"
 #include "glsl/raw_text.h"
