@@ -1,5 +1,6 @@
 #include "render/advice.h"
 
+#include "base/diagnostic.h"
 #include "glsl/remainder.h"
 
 #include <fmt/format.h>
@@ -79,6 +80,18 @@ bool mixes_int_and_float(std::string_view arguments) {
     return has_int && has_float;
 }
 
+std::string said_of_method(std::string_view name) {
+    // Of HLSL's textures.
+    constexpr Foreign kMethods[] = {{"Sample", "texture"},
+                                    {"SampleLevel", "textureLod"},
+                                    {"SampleGrad", "textureGrad"},
+                                    {"Load", "texelFetch"},
+                                    {"GetDimensions", "textureSize"}};
+    const auto* const ours = std::ranges::find(kMethods, name, &Foreign::first);
+    return fmt::format("GLSL has no methods; write {}(\u2026) of what stands before the '.'",
+                       ours == std::end(kMethods) ? name : ours->second);
+}
+
 // Of a call that mixes whole numbers and floats.
 std::string advice_on_arguments(std::string_view call) {
     if (call.starts_with("texelFetch("))
@@ -101,6 +114,8 @@ std::string advice_on_foreign_name(std::string_view name) {
         return "; GLSL has no empty value: write 0, 0.0 or false";
     constexpr Foreign kTruths[] = {
         {"True", "true"}, {"TRUE", "true"}, {"False", "false"}, {"FALSE", "false"}};
+    if (name.starts_with("Key_") || name.starts_with("isKey"))
+        return "; a line '#iKeyboard' above has it, as VS Code's Shader Toy does";
     const std::string truth = found(kTruths, name);
     return truth.empty() ? found(kFunctions, name) : truth;
 }
@@ -161,10 +176,14 @@ std::string said_better(std::string complaint) {
                "float[](1.0, 2.0), or Ray(\u2026) of a struct";
     if (complaint.starts_with("length method on matrix"))
         return "an array tells its number by .length(); how long a vector is tells length(v)";
+    constexpr std::string_view kNoMacro = "#define followed by a non-identifier: ";
+    if (complaint.starts_with(kNoMacro))
+        return fmt::format("a macro's name begins with a letter or _; {} does not",
+                           in_quotes(complaint.substr(kNoMacro.size())));
     constexpr std::string_view kMethod = "unknown method: `";
     if (complaint.starts_with(kMethod))
-        return fmt::format("GLSL has no methods; write {}(\u2026) of what stands before the '.'",
-                           complaint.substr(kMethod.size(), complaint.size() - kMethod.size() - 1));
+        return said_of_method(
+            complaint.substr(kMethod.size(), complaint.size() - kMethod.size() - 1));
     return complaint;
 }
 
@@ -246,6 +265,7 @@ constexpr Foreign kWhatToDo[] = {
     {"switch-statement expression must be scalar integer", "; write int(x)"},
     {"' must be a constant expression",
      "; leave out the const, and give it its value in a function"},
+    {"arrays passed as parameters must have a declared size", ", such as float a[4]"},
     {"size mismatch for matrix multiplication", "; a mat3 is multiplied by a vec3, and so on"},
 };
 

@@ -61,6 +61,8 @@ constexpr Repeated kRepeated[] = {
     {"image/sampler variables may only", "opaque variables must be", true},
     {"image/sampler variables may only", "cannot initialize", true},
     {"image/sampler variables may only", "what stands left of this '='", true},
+    {"what stands left of this '='", "value of type"},
+    {"a macro's name begins with", "a name or the line's end"},
     {"operand of `!' must be", "initializer of type bool"},
     {"operand of `!' must be", "value of type bool"},
     {"Macro names starting with", "Redefinition of macro"},
@@ -79,6 +81,8 @@ bool calls_refused(const Diagnostic& one, const Diagnostic& cause) {
             .substr(kNoFunction.size())
             .starts_with(name.substr(0, name.find('\'') + 1));
     }
+    if (cause.text.starts_with("arrays passed as parameters must") && one.text.starts_with(kCall))
+        return one.text.find("error)") != one.text.npos || one.text.find("error,") != one.text.npos;
     const std::size_t at = cause.text.find(kRefused);
     if (at == cause.text.npos || !one.text.starts_with(kCall)) return false;
     const std::string_view name = std::string_view(cause.text).substr(at + kRefused.size());

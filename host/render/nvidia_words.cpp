@@ -2,6 +2,7 @@
 
 #include "glsl/parser.h"
 #include "render/advice.h"
+#include "render/around.h"
 #include "render/syntax_error.h"
 
 #include <fmt/format.h>

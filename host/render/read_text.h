@@ -70,6 +70,8 @@ private:
     bool compares_twice(const Spot& spot) const;
     std::string no_variable(const Spot& spot) const;
     Spot second_parameter(const Spot& spot, std::string_view name) const;
+    std::string declared_before(std::string_view name, std::size_t at) const;
+    std::string help_with_condition(std::string_view words) const;
     std::string help_at(std::string_view words, const Spot& spot) const;
     bool is_declared_below(std::string_view name) const;
     bool is_declared(std::string_view name, bool as_function) const;

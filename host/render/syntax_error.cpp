@@ -4,6 +4,7 @@
 #include "glsl/finding.h"
 #include "glsl/parser.h"
 #include "render/advice.h"
+#include "render/around.h"
 #include "scene/builtin.h"
 
 #include <fmt/format.h>
@@ -11,7 +12,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <regex>
 #include <utility>
 #include <vector>
@@ -22,15 +22,6 @@ namespace {
 constexpr std::string_view kBegin = "syntax error, unexpected ";
 constexpr std::string_view kExpecting = ", expecting ";
 constexpr std::string_view kEnd = "end of file";
-
-constexpr std::array<std::string_view, 34> kTypes = {
-    "void",   "float",     "int",       "uint",        "bool",       "vec2",      "vec3",
-    "vec4",   "ivec2",     "ivec3",     "ivec4",       "uvec2",      "uvec3",     "uvec4",
-    "bvec2",  "bvec3",     "bvec4",     "mat2",        "mat3",       "mat4",      "mat2x3",
-    "mat2x4", "mat3x2",    "mat3x4",    "mat4x2",      "mat4x3",     "mat2x2",    "mat3x3",
-    "mat4x4", "sampler2D", "sampler3D", "samplerCube", "isampler2D", "usampler2D"};
-constexpr std::array<std::string_view, 10> kQualifiers = {
-    "const", "in", "out", "inout", "uniform", "flat", "highp", "mediump", "lowp", "invariant"};
 
 struct Complaint {
     std::string_view unexpected;
@@ -72,92 +63,6 @@ std::optional<Complaint> parse(std::string_view words) {
     return complaint;
 }
 
-// The tokens round the one that is complained of.
-class Around {
-public:
-    Around(std::span<const Token> tokens, std::size_t at) : tokens_(tokens), at_(at) {
-        for (std::size_t i = 0; i < std::min(at, tokens.size()); ++i) follow_brackets(i);
-    }
-
-    bool is(std::ptrdiff_t away, std::string_view text) const { return word(away) == text; }
-    std::string_view word(std::ptrdiff_t away) const {
-        const std::size_t i = index(away);
-        return i < tokens_.size() ? tokens_[i].text : "";
-    }
-    std::size_t index(std::ptrdiff_t away) const {
-        return at_ + static_cast<std::size_t>(away);  // before the first: beyond the last
-    }
-    bool is_known_type(std::ptrdiff_t away) const {
-        if (is_one_of(word(away), kTypes)) return true;
-        for (std::size_t i = 1; i < std::min(at_, tokens_.size()); ++i)
-            if (tokens_[i].text == word(away) && tokens_[i - 1].is("struct")) return true;
-        return false;
-    }
-    bool is_reserved(std::ptrdiff_t away) const {
-        return is_keyword(word(away)) || is_one_of(word(away), kTypes) ||
-               is_one_of(word(away), kQualifiers);
-    }
-    bool is_name(std::ptrdiff_t away) const {
-        const std::size_t i = index(away);
-        return i < tokens_.size() && tokens_[i].is_word() && !is_reserved(away) &&
-               !is_known_type(away);
-    }
-    // Whether a declaration may begin there.
-    bool begins(std::ptrdiff_t away) const { return may_declare_behind(word(away - 1)); }
-    // The innermost bracket that is open there.
-    std::optional<std::size_t> open() const {
-        return open_.empty() ? std::nullopt : std::optional(open_.back());
-    }
-    // Whether such a one is open there, further out or not, within the same braces.
-    bool is_within(std::string_view bracket) const {
-        for (std::size_t i = open_.size(); i-- > 0 && !tokens_[open_[i]].is("{");)
-            if (tokens_[open_[i]].is(bracket)) return true;
-        return false;
-    }
-    // Whether an expression stands there that brackets may hold, and no statement begins.
-    bool goes_on_in_brackets() const {
-        const bool is_call = is_known_type(0) && is(1, "(");
-        const bool begins_statement = is(1, "=") || (is_reserved(0) && !is_call);
-        return is_in_brackets() && !begins_statement && !word(0).empty() &&
-               (std::isalnum(static_cast<unsigned char>(word(0)[0])) != 0 || word(0)[0] == '.');
-    }
-    bool is_in_brackets() const { return !open_.empty() && !tokens_[open_.back()].is("{"); }
-    bool is_in_function() const { return !open_.empty() && tokens_[open_.front()].is("{"); }
-    // Whether something stands before it, on another line.
-    bool is_on_a_later_line() const {
-        return index(-1) < tokens_.size() && (at_ >= tokens_.size() || tokens_[at_].begins_line);
-    }
-    // The '(' of the ')' before the token, and the '{' of the '}'.
-    std::optional<std::size_t> opened_before() const { return partner_before("(", ")"); }
-    std::optional<std::size_t> block_before() const { return partner_before("{", "}"); }
-    // Where a function's head begins that ends before the token, with its type.
-    std::optional<std::size_t> head() const {
-        const std::size_t i = opened_before().value_or(0);
-        const bool is_head = i >= 2 && tokens_[i - 1].is_word() && tokens_[i - 2].is_word();
-        return is_head ? std::optional(i - 2) : std::nullopt;
-    }
-
-private:
-    std::optional<std::size_t> partner_before(std::string_view open, std::string_view close) const {
-        std::size_t i = index(-1);
-        if (!is(-1, close)) return std::nullopt;
-        for (int depth = 0; i < tokens_.size(); --i) {
-            depth += tokens_[i].is(close) ? 1 : tokens_[i].is(open) ? -1 : 0;
-            if (depth == 0) return i;
-        }
-        return std::nullopt;
-    }
-    void follow_brackets(std::size_t i) {
-        const std::string_view text = tokens_[i].text;
-        if (text == "(" || text == "[" || text == "{") open_.push_back(i);
-        if ((text == ")" || text == "]" || text == "}") && !open_.empty()) open_.pop_back();
-    }
-
-    std::span<const Token> tokens_;
-    std::size_t at_;
-    std::vector<std::size_t> open_;
-};
-
 // Whether a type stands before it somewhere.
 bool is_declared(std::span<const Token> tokens, std::string_view name) {
     for (std::size_t i = 1; i < tokens.size(); ++i)
@@ -184,7 +89,7 @@ std::optional<SyntaxError> unknown_type(const Complaint& complaint, const Around
         return SyntaxError{
             fmt::format("')' or ',' is missing before {}", in_quotes(around.word(away + 1))),
             around.index(away + 1)};
-    std::vector<std::string> known(kTypes.begin(), kTypes.end());
+    std::vector<std::string> known(types_of_glsl().begin(), types_of_glsl().end());
     known.insert(known.end(), {"return", "const", "uniform", "precision", "struct", "else"});
     for (std::size_t i = 1; i < tokens.size(); ++i) {
         if (!tokens[i - 1].is("struct")) continue;
@@ -294,20 +199,25 @@ std::optional<SyntaxError> misplaced_else(const Around& around, std::span<const 
         around.index(0)};
 }
 
-// `struct P { float m = 1.0; };`
-std::optional<SyntaxError> value_of_member(const Around& around, std::span<const Token> tokens) {
-    const std::size_t open = around.open().value_or(0);
-    const bool is_struct =
-        open > 0 && tokens[open].is("{") &&
-        (tokens[open - 1].is("struct") || (open > 1 && tokens[open - 2].is("struct")));
-    if (!is_struct || !around.is(0, "=")) return std::nullopt;
-    return SyntaxError{"no member has a value of its own here; give it where a variable is made",
-                       around.index(0)};
+// `struct P { float m = 1.0; float get() { … } };`
+std::optional<std::string> no_member(const Around& around) {
+    if (!around.is_in_struct()) return std::nullopt;
+    if (around.is(0, "="))
+        return "no member has a value of its own here; give it where a variable is made";
+    if (around.is(0, "(") && around.is_name(-1))
+        return fmt::format(
+            "GLSL's structs hold no functions; write {} outside, and give it the "
+            "struct as an argument",
+            in_quotes(around.word(-1)));
+    return std::nullopt;
 }
 
 // What has a name of its own.
 std::optional<std::string> known_mistake(const Complaint& complaint, const Around& around) {
     const std::string_view text = around.word(0);
+    if (text == "case" || text == "default")
+        return fmt::format("{} stands right within the braces of a switch, and here is none",
+                           in_quotes(text));
     if (text == "=" && complaint.expects("';'"))
         return "what stands left of this '=' is no variable; == compares";
     if (around.is(-1, "-") && text == ">")
@@ -495,20 +405,6 @@ std::optional<SyntaxError> bad_number(std::span<const Token> tokens, std::size_t
 
 }  // namespace
 
-bool is_type_of_glsl(std::string_view word) {
-    return is_one_of(word, kTypes);
-}
-
-bool is_qualifier_of_glsl(std::string_view word) {
-    return is_one_of(word, kQualifiers);
-}
-
-bool may_declare_behind(std::string_view token) {
-    static constexpr std::array<std::string_view, 8> kBefore = {"",  "{", "}", ";",
-                                                                "(", ")", ",", "else"};
-    return is_one_of(token, kBefore) || is_one_of(token, kQualifiers);
-}
-
 std::optional<SyntaxError> read_syntax_error(std::string_view words, std::span<const Token> tokens,
                                              std::size_t at) {
     const std::optional<Complaint> complaint = parse(words);
@@ -530,7 +426,7 @@ std::optional<SyntaxError> read_syntax_error(std::string_view words, std::span<c
         if (auto error = missing_end(around)) return error;
         if (auto error = without_type(around)) return error;
         if (auto error = misplaced_else(around, tokens)) return error;
-        if (auto error = value_of_member(around, tokens)) return error;
+        if (auto text = no_member(around)) return SyntaxError{std::move(*text), at};
         if (auto text = wrong_for(around, tokens)) return SyntaxError{std::move(*text), at};
         if (auto text = known_mistake(*complaint, around)) return SyntaxError{std::move(*text), at};
     }

@@ -18,11 +18,6 @@ inline constexpr std::string_view kInnerFunction =
 inline constexpr std::string_view kConditionBehind =
     "; a condition stands behind #if and #elif alone";
 
-bool is_type_of_glsl(std::string_view word);       // such as vec3
-bool is_qualifier_of_glsl(std::string_view word);  // such as const
-// Whether a declaration may begin behind this token; "" is the text's start.
-bool may_declare_behind(std::string_view token);
-
 struct SyntaxError {
     std::string text;        // what is wrong, and what to do
     std::size_t token = 0;   // where

@@ -83,6 +83,19 @@ TEST_F(SyntaxErrors, OfAMembersValueTellThatItHasNone) {
               "1:20: no member has a value of its own here; give it where a variable is made");
 }
 
+TEST_F(SyntaxErrors, OfAFunctionInAStructTellWhereItStands) {
+    EXPECT_EQ(first_complaint("struct P { float x; float get() { return x; } };\n" + in_image("")),
+              "1:30: GLSL's structs hold no functions; write 'get' outside, and give it the "
+              "struct as an argument");
+}
+
+TEST_F(SyntaxErrors, OfACaseOutsideOfASwitchTellThatThereIsNone) {
+    const std::string words = " stands right within the braces of a switch, and here is none";
+    EXPECT_EQ(first_complaint(in_image("case 1: c.x = 1.0; break;")), "2:1: 'case'" + words);
+    EXPECT_EQ(first_complaint(in_image("switch (1) { case 1: { default: c.x = 1.0; } }")),
+              "2:24: 'default'" + words);
+}
+
 TEST_F(SyntaxErrors, NameBracketsWithoutTheirPartner) {
     const std::string array = "float a[3];\n";
     EXPECT_EQ(first_complaint(array + in_image("c = vec4(a[1);")),

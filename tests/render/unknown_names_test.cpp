@@ -102,5 +102,61 @@ TEST_F(UnknownNames, OfStructsAndDirectivesHaveTheNearest) {
               illegal + "there are four channels, iChannel0 to iChannel3");
 }
 
+// The only complaint of a picture with these statements, below these lines.
+std::string complaint_of(const std::string& statements, const std::string& above = "") {
+    return complaint(above + "void mainImage(out vec4 c, in vec2 p) { c = vec4(0); " + statements +
+                     " }\n");
+}
+
+TEST_F(UnknownNames, BehindAnIfTellWhatAPreprocessorKnows) {
+    const std::string begins = "undefined macro QUALITY in expression (illegal in GLES); ",
+                      condition = "#if QUALITY > 1\n#endif\n";
+    EXPECT_EQ(complaint_of("", condition),
+              begins + "write #define QUALITY 0 above, or #if defined(QUALITY)");
+    EXPECT_EQ(complaint_of("", "#define QUALTY 1\n" + condition),
+              begins + "did you mean 'QUALTY'?");
+    EXPECT_EQ(
+        complaint_of("c.x = float(QUALITY);", "uniform int QUALITY;  //@ 1 [0, 2]\n" + condition),
+        begins +
+            "a preprocessor knows macros alone: of a variable or a uniform write if "
+            "(\u2026)");
+}
+
+TEST_F(UnknownNames, OfKeysTellTheLineThatHasThem) {
+    const std::string help = "; a line '#iKeyboard' above has it, as VS Code's Shader Toy does";
+    EXPECT_EQ(complaint_of("if (isKeyDown(65)) c.x = 1.0;"),
+              "no function with name 'isKeyDown'" + help);
+    EXPECT_EQ(complaint_of("int key = Key_A;"), "`Key_A' undeclared" + help);
+}
+
+TEST_F(UnknownNames, ThatAreDeclaredTwiceTellOfTheFirst) {
+    const std::string help =
+        "; line 1 declares it: give this one another name, or leave out its "
+        "type";
+    EXPECT_EQ(complaint_of("float a = 1.0; float a = 2.0;"), "`a' redeclared" + help);
+    EXPECT_EQ(complaint_of("", "float f(float x) { float x = 1.0; return x; }\n"),
+              "`x' redeclared" + help);
+}
+
+TEST_F(UnknownNames, OfOtherLanguagesMethodsTellTheFunction) {
+    const std::string above = "uniform sampler2D wood;  //@ noise r 4x4\n";
+    EXPECT_EQ(complaint_of("c = wood.Sample(s, p);", above),
+              "GLSL has no methods; write texture(\u2026) of what stands before the '.'");
+}
+
+TEST_F(UnknownNames, AreNotToldOfWhereTheirDeclarationIsRefused) {
+    EXPECT_EQ(complaint_of("float q[2]; q[0] = 1.0; q[1] = 1.0; c.x = f(q);",
+                           "float f(float a[]) { return a[0]; }\n"),
+              "arrays passed as parameters must have a declared size, such as float a[4]");
+    EXPECT_EQ(complaint_of("", "#define 2D(p) p.xy\n"),
+              "a macro's name begins with a letter or _; '2D(p)' does not");
+    EXPECT_EQ(complaint_of("5 = c.x;"), "what stands left of this '=' is no variable");
+}
+
+TEST_F(UnknownNames, OfAMacroWithACommaForAPointAreSaidSo) {
+    const std::string told = complaint_of("c.x = sin(PI * p.x);", "#define PI 3,14\n");
+    EXPECT_TRUE(told.ends_with(":1:14); numbers have a point: write 3.14")) << told;
+}
+
 }  // namespace
 }  // namespace glint::unknown_names_test
