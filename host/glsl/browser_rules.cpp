@@ -19,8 +19,10 @@ public:
     }
 
     std::vector<Finding> find() {
-        for (const Declaration& declaration : reading_.declarations)
+        for (const Declaration& declaration : reading_.declarations) {
             for (const Declarator& one : declaration.names) look_at(declaration, one);
+            refuse_output(declaration);
+        }
         for (const Statement& statement : reading_.statements)
             if (is_wanted(statement.function)) look_at(statement);
         for (const std::uint32_t index : reading_.functions_named("mainImage"))
@@ -55,6 +57,15 @@ private:
         add(reading_.place(choice).begin,
             fmt::format(
                 "browsers refuse ?: for {}, which desktop compilers take: write if and else", of));
+    }
+
+    // `out vec4 colour;` beside the output that mainImage writes.
+    void refuse_output(const Declaration& declaration) {
+        const bool is_output = declaration.scope == Scope::global && declaration.is_out;
+        if (!is_output || reading_.functions_named("mainImage").empty()) return;
+        add(reading_.place(declaration.tokens.begin).begin,
+            "browsers refuse a second output without a location, and the site has one of its own: "
+            "take out this 'out'");
     }
 
     void look_at(const Declaration& declaration, const Declarator& one) {

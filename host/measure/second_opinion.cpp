@@ -34,14 +34,16 @@ precision highp float;
 precision highp int;
 precision mediump sampler3D;
 #define HW_PERFORMANCE 1
-uniform vec3 iResolution;
-uniform float iTime, iGlobalTime, iTimeDelta, iFrameRate, iSampleRate, iChannelTime[4];
-uniform vec4 iMouse, iDate;
+uniform float iGlobalTime, iTimeDelta, iFrameRate, iSampleRate, iChannelTime[4];
+uniform vec4 iDate;
 uniform vec3 iChannelResolution[4];
 uniform int iFrame;
 void st_assert(bool condition, int colour) {}
 void st_assert(bool condition) {}
 )";
+// A sound may use these names for something of its own, as the site has them not there.
+constexpr std::pair<std::string_view, std::string_view> kOfPictures[] = {
+    {"vec3", "iResolution"}, {"float", "iTime"}, {"vec4", "iMouse"}};
 constexpr std::string_view kBehind =
     "\nout vec4 glint_colour;\nvoid main() { glint_colour = vec4(0); }\n";
 
@@ -50,6 +52,9 @@ constexpr std::string_view kBehind =
 std::string before(const Preset& preset, std::size_t pass, const Reading& reading) {
     const Scene& scene = preset.scene;
     std::string text(kBefore);
+    for (const auto& [type, name] : kOfPictures)
+        if (pass != kSoundPass || !means_its_own(reading, name))
+            text += fmt::format("uniform {} {};\n", type, name);
     for (const std::string& name : output_names(scene, pass))
         text += fmt::format("#define PASS_{} 1\n", name);
     std::array<SamplerType, 4> channels{};
@@ -112,6 +117,12 @@ bool is_refused_by_it_alone(std::string_view why) {
     return why.starts_with("Too few args in Macro") || why.starts_with("End of line in string");
 }
 
+// Browsers take the inverse of constants for one (GLSL ES 3.00, 4.3.3).
+bool is_inverse_of_constants(std::string_view why, std::string_view line) {
+    return why.starts_with("global const initializers must be constant") &&
+           line.find("inverse") != line.npos;
+}
+
 // The byte of a line, from 1, at which a word stands; its first one that is no space otherwise.
 std::size_t find_in_line(const std::string& text, int line, const std::string& word) {
     std::size_t begin = 0;
@@ -152,6 +163,8 @@ std::optional<std::vector<PlacedFinding>> findings_of(const Preset& preset, std:
         if (is_refused_by_it_alone(why)) return std::vector<PlacedFinding>();
         if (why.starts_with("compilation terminated") || line <= head_lines) continue;
         const std::size_t at = find_in_line(site.text, line - head_lines, word);
+        const std::string_view rest = std::string_view(site.text).substr(at);
+        if (is_inverse_of_constants(why, rest.substr(0, rest.find('\n')))) continue;
         findings.push_back(
             {std::string(kWebGl),
              preset.scene.place_at(site.origin(std::min(at, site.text.size() - 1))),

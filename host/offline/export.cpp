@@ -10,6 +10,7 @@
 #include "offline/named_files.h"
 #include "offline/page.h"
 #include "offline/site_text.h"
+#include "render/own_main_text.h"
 #include "scene/builtin.h"
 #include "scene/scene_text.h"
 #include "scene/shadertoy.h"
@@ -413,6 +414,7 @@ std::string Exporter::tab_text(const Tab& tab) {
     }
     if (speaks_of(reading, "iGlobalTime") && !means_its_own(reading, "iGlobalTime"))
         defines += "#define iGlobalTime iTime\n";
+    defines += older_names(reading);
     if (std::ranges::any_of(reading.written,
                             [](const Token& token) { return token.text.starts_with(kPassPrefix); }))
         defines += fmt::format("#define {}{} 1\n", kPassPrefix, pass_name(scene_, tab.pass));

@@ -412,7 +412,7 @@ void warn_of_settle(const Preset& preset) {
 
 }  // namespace
 
-void run_sequence(const SequenceOptions& options) {
+Preset run_sequence(const SequenceOptions& options) {
     const Stopwatch clock;
     const Target target = target_of(options);
     Frames frames = frames_of(options.frames, options.shard, options.fps);
@@ -429,7 +429,8 @@ void run_sequence(const SequenceOptions& options) {
     const Provenance provenance = provenance_of(preset, options.fps, options.view.specialise);
     const std::string inputs = inputs_of(options, provenance);
     if (!options.from_pictures.empty()) {
-        return join_pictures(options, target, preset, frames, inputs);
+        join_pictures(options, target, preset, frames, inputs);
+        return preset;
     }
     const bool has_work = frames.count > 0;  // a share of few frames may be none
     if (target == Target::states) frames.count = 0;
@@ -468,6 +469,7 @@ void run_sequence(const SequenceOptions& options) {
     if (has_work && !options.state.save.empty() && run.next <= last) leave_state(run, last);
     output.finish();
     print_result(options, run, clock.ms());
+    return preset;
 }
 
 }  // namespace glint

@@ -2,10 +2,12 @@
 #pragma once
 
 #include "offline/options.h"
+#include "scene/preset.h"
 
 namespace glint {
 
 // Throws what main() turns into exit codes. Frame k is, bit for bit, the still of `--frame k`.
-void run_sequence(const SequenceOptions& options);
+// Gives back what was drawn.
+Preset run_sequence(const SequenceOptions& options);
 
 }  // namespace glint

@@ -34,11 +34,23 @@ std::string name_there(std::string_view type, const Declarator& declarator,
     return is_name ? std::string(known->words) : fmt::format("({})", known->words);
 }
 
+// `uniform Name { float a; };` has members that are names of the text's own, and one with a name
+// is a struct otherwise.
+void open_block(const Reading& reading, const Declaration& block, Edits& edits) {
+    std::uint32_t open = block.tokens.begin;
+    while (open < block.tokens.end && !reading.tokens[open].is("{")) ++open;
+    if (open == block.tokens.end || reading.close_of(open) == kNone) return;
+    const bool has_name = !block.names.empty();
+    edits.replace({block.tokens.begin, open + 1}, has_name ? "struct {" : "");
+    if (!has_name) edits.replace({reading.close_of(open), block.tokens.end}, "");
+}
+
 // Uniforms that nothing fills are 0. So are the site's globals without a value: browsers see to it.
 EditedText without_own_uniforms(const Reading& reading) {
     Edits edits(reading);
     for (const Declaration& declaration : reading.declarations) {
         const std::string_view type = reading.word(declaration.type);
+        if (declaration.is_uniform && declaration.is_block) open_block(reading, declaration, edits);
         if (!declaration.is_uniform || declaration.is_block || type.starts_with("sampler"))
             continue;
         const TokenRange words = declaration.qualifiers;

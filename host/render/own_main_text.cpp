@@ -173,7 +173,7 @@ bool hides(const Reading& reading, std::string_view name) {
            });
 }
 
-// texture2D and textureCube, by which the older language reads.
+// texture2D and textureCube, by which the older language reads, beside what else may be called so.
 std::string older_textures(const Reading& reading) {
     constexpr std::array<std::array<std::string_view, 3>, 2> kOlderTextures = {
         {{"texture2D", "sampler2D", "vec2"}, {"textureCube", "samplerCube", "vec3"}}};
@@ -190,15 +190,7 @@ std::string older_textures(const Reading& reading) {
         text += beside_its_own(reading, name, sampler, place) +
                 fmt::format("#define {0} glint_{0}\n", name);
     }
-    constexpr std::pair<std::string_view, std::string_view> kOfExtensions[] = {
-        {"texture2DLodEXT", "textureLod"},           {"texture2DProjLodEXT", "textureProjLod"},
-        {"textureCubeLodEXT", "textureLod"},         {"texture2DGradEXT", "textureGrad"},
-        {"texture2DProjGradEXT", "textureProjGrad"}, {"textureCubeGradEXT", "textureGrad"},
-        {"gl_FragDepthEXT", "gl_FragDepth"}};
-    for (const auto& [name, today] : kOfExtensions)
-        if (reading.mentions(name) && !means_its_own(reading, name) && !reading.defines_macro(name))
-            text += fmt::format("#define {} {}\n", name, today);
-    return text;
+    return text + older_names(reading);
 }
 
 // Other names for those of the text that GLSL ES 3.00, or the host, has for itself.
@@ -240,6 +232,34 @@ void put_in_place_of_data(const Reading& reading, Edits& edits) {
         name.resize(std::max(name.size(), all.end - all.begin), ' ');  // so that no column moves
         edits.replace_bytes(all, name);
     }
+}
+
+std::string older_names(const Reading& reading) {
+    constexpr std::pair<std::string_view, std::string_view> kOlder[] = {
+        {"texture2D", "texture"},
+        {"textureCube", "texture"},
+        {"texture3D", "texture"},
+        {"texture2DProj", "textureProj"},
+        {"texture3DProj", "textureProj"},
+        {"texture2DLod", "textureLod"},
+        {"texture3DLod", "textureLod"},
+        {"textureCubeLod", "textureLod"},
+        {"texture2DProjLod", "textureProjLod"},
+        {"texture3DProjLod", "textureProjLod"},
+        {"texture2DLodEXT", "textureLod"},
+        {"texture2DProjLodEXT", "textureProjLod"},
+        {"textureCubeLodEXT", "textureLod"},
+        {"texture2DGradEXT", "textureGrad"},
+        {"texture2DProjGradEXT", "textureProjGrad"},
+        {"textureCubeGradEXT", "textureGrad"},
+        {"gl_FragDepthEXT", "gl_FragDepth"}};
+    std::string text;
+    for (const auto& [name, today] : kOlder) {
+        const bool is_free = !means_its_own(reading, name) && !reading.defines_macro(name);
+        if (is_free && reading.mentions(name) && !hides(reading, today))
+            text += fmt::format("#define {} {}\n", name, today);
+    }
+    return text;
 }
 
 std::string before_own_main(const Reading& reading, bool plain_main) {

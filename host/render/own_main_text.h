@@ -24,6 +24,10 @@ void put_off_values(const Reading& reading, Edits& edits);
 // picture.
 std::string before_own_main(const Reading& reading, bool plain_main);
 
+// `#define texture2DLod textureLod`: what a text calls by names of older GLSL, some of which
+// drivers know and browsers do not.
+std::string older_names(const Reading& reading);
+
 // Where nothing else draws the picture, main() is called from the site's mainImage.
 std::string before_plain_main(const Reading& reading);
 // `output`: what it writes, null for gl_FragColor. That begins as 0, or as the mark.

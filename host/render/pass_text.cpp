@@ -558,7 +558,7 @@ PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions&
     EditedText edited = edits.apply();
     result.text += mends_named_in(edited.text);
     if (plain_main) result.text += before_plain_main(reading);
-    if (has_main) result.text += before_own_main(reading, plain_main);
+    result.text += has_main ? before_own_main(reading, plain_main) : older_names(reading);
     result.user_begin = result.text.size();
     result.text += edited.text;
     result.user_end = result.text.size();

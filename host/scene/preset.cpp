@@ -4,9 +4,11 @@
 #include "base/canonical_name.h"
 #include "base/words.h"
 #include "glsl/raw_text.h"
+#include "glsl/sampler_use.h"
 #include "scene/annotation.h"
 #include "scene/expect_toml.h"
 #include "scene/preset_reader.h"
+#include "scene/scene_text.h"
 #include "scene/toml_keys.h"
 #include "scene/toml_value.h"
 
@@ -103,10 +105,29 @@ void PresetReader::check_root_keys(const toml::table& root) {
     }
 }
 
+namespace {
+
+// Of a channel that neither text nor preset speaks of, how the text uses it decides.
+SamplerType type_by_use(const Reading& reading, std::string_view channel) {
+    const std::string_view type = sampler_used_as(reading, channel);
+    return kSamplerTypeNames.find(type).value_or(SamplerType::sampler2D);
+}
+
+// With the values that its text gives it.
+void put_scene(Scene scene, Preset& preset) {
+    preset.scene = std::move(scene);
+    for (const Tweak& tweak : preset.scene.tweaks) preset.values.push_back(tweak.initial);
+    if (preset.scene.text.find("iChannel") == std::string::npos) return;
+    const Reading reading = read_glsl(preset.scene.text, known_of_scene());
+    for (std::size_t i = 0; i < preset.channels.size(); ++i)
+        preset.channels[i].type = type_by_use(reading, fmt::format("iChannel{}", i));
+}
+
+}  // namespace
+
 void PresetReader::take_scene(Scene scene) {
-    preset_.scene = std::move(scene);
+    put_scene(std::move(scene), preset_);
     has_scene_ = true;
-    for (const Tweak& tweak : preset_.scene.tweaks) preset_.values.push_back(tweak.initial);
 }
 
 void PresetReader::read_scene_key(const toml::table& root) {
@@ -309,8 +330,7 @@ void read_bare_scene(const fs::path& file, ReadPreset& result) {
     if (!read.scene) return;
     Preset preset;
     preset.file = file;
-    preset.scene = std::move(*read.scene);
-    for (const Tweak& tweak : preset.scene.tweaks) preset.values.push_back(tweak.initial);
+    put_scene(std::move(*read.scene), preset);
     result.preset = std::move(preset);
 }
 

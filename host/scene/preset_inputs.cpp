@@ -42,21 +42,24 @@ void PresetReader::read_channel(std::size_t index, const toml::table& table) {
     Sampler sampler;
     sampler.name = fmt::format("iChannel{}", index);
     sampler.place = place(table.source());
+    const auto declared = preset_.scene.channel_types[index];
+    const SamplerType used_as = declared.value_or(preset_.channels[index].type);
     int sources = 0;
     for (const std::string& source : kSources) {
         const toml::node* node = table.get(source);
         if (!node) continue;
-        if (++sources > 1)
+        if (++sources > 1) {
             warning(*node, fmt::format("a channel has one source; {} is not used", source));
-        else
-            read_channel_source(sampler, source, *node);
+            continue;
+        }
+        if (source == "noise") sampler.type = used_as;  // noise fills any kind
+        read_channel_source(sampler, source, *node);
     }
     if (sources == 0)
         warning(table.source(),
                 "this channel has no source; write image =, cube =, volume =, sound =, noise =, "
                 "keyboard = true or buffer =");
     if (sampler.source == Source::none) return;
-    const auto declared = preset_.scene.channel_types[index];
     if (declared && *declared != sampler.type)
         return warning(table.source(),
                        fmt::format("the scene declares {} as {}, and this fills a {}; not used",

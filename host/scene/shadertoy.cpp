@@ -4,6 +4,8 @@
 #include "base/canonical_name.h"
 #include "base/words.h"
 #include "glsl/raw_text.h"
+#include "glsl/sampler_use.h"
+#include "scene/scene_text.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -407,18 +409,32 @@ std::optional<Shadertoy> read_beside_tabs(const fs::path& folder, Diagnostics& d
     return std::nullopt;
 }
 
-// The buffers A to D that are there, where nothing says what a tab reads.
-std::vector<ShadertoyInput> usual_inputs(const std::string& tab, const Shadertoy& shader) {
+// The buffers A to D that are there, where nothing says what a tab reads, and the cube where it
+// reads one.
+std::vector<ShadertoyInput> usual_inputs(const ShadertoyTab& tab, const Shadertoy& shader) {
     std::vector<ShadertoyInput> inputs;
-    for (const ShadertoyTab& other : shader.tabs) {
-        if (tab == "common" || !other.name.starts_with("buffer")) continue;
-        inputs.push_back({.channel = other.name.back() - 'A',
-                          .kind = "buffer",
-                          .buffer = other.name,
+    if (tab.name == "common") return inputs;
+    const auto add = [&](int channel, const char* kind, const std::string& buffer) {
+        inputs.push_back({.channel = channel,
+                          .kind = kind,
+                          .buffer = buffer,
                           .file = {},
                           .filter = {},
                           .wrap = {},
                           .vflip = {}});
+    };
+    const auto common = std::ranges::find(shader.tabs, "common", &ShadertoyTab::name);
+    const std::string text = (common == shader.tabs.end() ? "" : common->code) + tab.code;
+    const Reading reading = read_glsl(text, known_of_scene());
+    const bool has_cube =
+        std::ranges::find(shader.tabs, "cubeA", &ShadertoyTab::name) != shader.tabs.end();
+    for (int channel = 0; channel < 4; ++channel) {
+        const std::string buffer = fmt::format("buffer{}", static_cast<char>('A' + channel));
+        const auto use = sampler_used_as(reading, fmt::format("iChannel{}", channel));
+        if (has_cube && use == "samplerCube")
+            add(channel, "cubemap", "cubeA");
+        else if (std::ranges::find(shader.tabs, buffer, &ShadertoyTab::name) != shader.tabs.end())
+            add(channel, "buffer", buffer);
     }
     return inputs;
 }
@@ -471,7 +487,7 @@ std::optional<Shadertoy> read_shadertoy_folder(const fs::path& folder, Diagnosti
         shader.author = exported->author;
         shader.description = exported->description;
     }
-    for (ShadertoyTab& tab : shader.tabs) tab.inputs = usual_inputs(tab.name, shader);
+    for (ShadertoyTab& tab : shader.tabs) tab.inputs = usual_inputs(tab, shader);
     for (const ShadertoyTab& known : exported ? exported->tabs : std::vector<ShadertoyTab>())
         for (ShadertoyTab& tab : shader.tabs)
             if (tab.name == known.name) tab.inputs = known.inputs;

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <regex>
 #include <system_error>
 
 namespace glint {
@@ -187,6 +188,8 @@ private:
     void write_tab(const ShadertoyTab& tab);
     std::string source_of(const ShadertoyTab& tab, const ShadertoyInput& input);
     std::string file_beside(const ShadertoyInput& input);
+    std::string with_includes_named(const std::string& code);
+    std::string quoted(const fs::path& file) const;
     bool may_read(const fs::path& file);
     std::string what_is_missing(const ShadertoyInput& input) const;
     bool is_alone(const ShadertoyTab& tab) const;
@@ -321,6 +324,13 @@ bool Writer::may_read(const fs::path& file) {
     return may;
 }
 
+// As it is called from where the scene is written.
+std::string Writer::quoted(const fs::path& file) const {
+    std::error_code error;
+    const fs::path near = fs::proximate(file, folder_.empty() ? "." : folder_, error);
+    return fmt::format("\"{}\"", near.generic_string());
+}
+
 // What reads this input from the files of its name beside the JSON, or under the site's own folders
 // there; empty when there are none.
 std::string Writer::file_beside(const ShadertoyInput& input) {
@@ -333,15 +343,10 @@ std::string Writer::file_beside(const ShadertoyInput& input) {
     const fs::path file = fs::path(input.file).relative_path();
     if (!*source || !file.has_filename()) return {};
     std::error_code error;
-    const auto quoted = [&](const fs::path& local) {
-        return fmt::format(
-            " \"{}\"",
-            fs::proximate(local, folder_.empty() ? "." : folder_, error).generic_string());
-    };
     for (const fs::path& local :
          {from_.parent_path() / file, from_.parent_path() / file.filename()}) {
         if (!may_read(local) || !can_be_quoted(local)) continue;
-        std::string text = source + quoted(local);
+        std::string text = source + (" " + quoted(local));
         // The site's cubes are six files: NAME.png, and NAME_1.png to NAME_5.png.
         std::string others;
         for (int face = 1; input.kind == "cubemap" && face < 6; ++face) {
@@ -349,7 +354,7 @@ std::string Writer::file_beside(const ShadertoyInput& input) {
                 local.parent_path() /
                 fmt::format("{}_{}{}", local.stem().string(), face, local.extension().string());
             if (!may_read(other)) break;
-            others += quoted(other);
+            others += " " + quoted(other);
             if (face == 5) text += others;
         }
         const bool usual = input.kind != "cubemap";
@@ -361,8 +366,24 @@ std::string Writer::file_beside(const ShadertoyInput& input) {
     return {};
 }
 
+// The files that it includes stand beside the tabs, and not beside what is written.
+std::string Writer::with_includes_named(const std::string& code) {
+    static const std::regex include(R"re((#[ \t]*include[ \t]+)"([^"\n]{1,200})")re");
+    std::string named;
+    auto behind = code.cbegin();
+    for (std::sregex_iterator match(code.begin(), code.end(), include), end; match != end;
+         ++match) {
+        const fs::path file = from_.parent_path() / (*match)[2].str();
+        const bool is_there = may_read(file) && can_be_quoted(file);
+        named.append(behind, (*match)[0].first);
+        named += is_there ? (*match)[1].str() + quoted(file) : (*match)[0].str();
+        behind = (*match)[0].second;
+    }
+    return named.append(behind, code.cend());
+}
+
 void Writer::write_tab(const ShadertoyTab& tab) {
-    const std::string code = clean_text(tab.code).text;
+    const std::string code = with_includes_named(clean_text(tab.code).text);
     if (tab.name == "common" || is_alone(tab)) {
         text_ += '\n' + code;
         return;

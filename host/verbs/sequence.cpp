@@ -1,6 +1,7 @@
 // `glint sequence`: frames to pictures, a film, or another program.
 #include "offline/sequence.h"
 
+#include "measure/probe/cut_loops.h"
 #include "verbs/options.h"
 #include "verbs/verb.h"
 
@@ -38,7 +39,9 @@ void declare(CLI::App& verb, SequenceOptions& sequence) {
 
 std::unique_ptr<Verb> sequence_verb() {
     return make_verb<SequenceOptions>(
-        declare, [](const SequenceOptions& options, const Stopwatch&) { run_sequence(options); });
+        declare, [](const SequenceOptions& options, const Stopwatch&) {
+            say_cut_loops(run_sequence(options), {.view = options.view, .fps = options.fps});
+        });
 }
 
 }  // namespace glint

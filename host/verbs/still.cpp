@@ -1,6 +1,7 @@
 // `glint still`: one frame to a picture file.
 #include "offline/still.h"
 
+#include "measure/probe/cut_loops.h"
 #include "measure/probe/run.h"
 #include "verbs/options.h"
 #include "verbs/verb.h"
@@ -33,15 +34,17 @@ void declare(CLI::App& verb, StillOptions& still) {
 }  // namespace
 
 std::unique_ptr<Verb> still_verb() {
-    return make_verb<StillOptions>(
-        declare, [](const StillOptions& options, const Stopwatch& since_start) {
-            Preset drawn = run_still(options, since_start);
-            say_broken_assertions(std::move(drawn), {.view = options.view,
-                                                     .time = options.time,
-                                                     .frame = options.frame,
-                                                     .settle = options.settle,
-                                                     .fps = options.fps});
-        });
+    return make_verb<StillOptions>(declare,
+                                   [](const StillOptions& options, const Stopwatch& since_start) {
+                                       Preset drawn = run_still(options, since_start);
+                                       const ProbeOptions frame{.view = options.view,
+                                                                .time = options.time,
+                                                                .frame = options.frame,
+                                                                .settle = options.settle,
+                                                                .fps = options.fps};
+                                       say_cut_loops(drawn, frame);
+                                       say_broken_assertions(std::move(drawn), frame);
+                                   });
 }
 
 }  // namespace glint

@@ -107,6 +107,13 @@ TEST(BrowserRules, RefuseAColourThatIsInout) {
     EXPECT_TRUE(refused("void mainImage(out vec4 c, vec2 p) { c = vec4(1); }").empty());
 }
 
+TEST(BrowserRules, RefuseAnOutputBesideTheSites) {
+    const std::string entry = "void mainImage(out vec4 c, in vec2 p) { c = vec4(1); }\n";
+    EXPECT_EQ(refused("out vec4 colour;\n" + entry).size(), 1u);
+    EXPECT_TRUE(refused("vec4 colour;\nvoid f(out vec4 x) { x = colour; }\n" + entry).empty());
+    EXPECT_TRUE(refused("out vec4 colour;\nvoid main() { colour = vec4(1); }\n").empty());
+}
+
 struct Loop {
     const char* text;
     LoopBound::Kind kind;

@@ -50,6 +50,35 @@ TEST_F(Export, WhatComesBackDrawsTheSameBytes) {
     EXPECT_EQ(draw("a.frag").pixels, draw("back.frag").pixels);
 }
 
+TEST_F(Export, NamesOfOlderGlslStandForTodays) {
+    write("a.frag",
+          "void mainImage(out vec4 c, in vec2 p) { c = texture2D(iChannel0, p / 64.0) + "
+          "texture2DLod(iChannel0, p, 0.0); }\n");
+    write("a.toml", "scene = \"a.frag\"\n[channels]\niChannel0 = { noise = \"rgba 16\" }\n");
+    ASSERT_EQ(glint({"export", "a.toml", "-o", "out"}).code, 0);
+    const std::string defines = "#define texture2D texture\n#define texture2DLod textureLod\n";
+    EXPECT_NE(bytes("out/image.glsl").find(defines), std::string::npos) << bytes("out/image.glsl");
+    ASSERT_EQ(glint({"import", "out", "-o", "back.frag"}).err, "");
+    EXPECT_EQ(draw("a.toml").pixels, draw("back.frag").pixels);
+    ASSERT_EQ(glint({"export", "a.toml", "-o", "a.html"}).code, 0);
+    EXPECT_NE(bytes("a.html").find("#define texture2DLod textureLod"), std::string::npos);
+}
+
+TEST_F(Export, AUniformBlockIsVariablesThatAreZero) {
+    write("a.frag",
+          "layout(std140) uniform Look { vec4 tint; float gain; };\n"
+          "uniform Sun { vec3 direction; } sun;\n"
+          "void mainImage(out vec4 c, in vec2 p) { c = vec4(0.25, 0.5, 0, 1) + tint * gain + "
+          "sun.direction.x; }\n");
+    ASSERT_EQ(glint({"export", "a.frag", "-o", "out"}).code, 0);
+    const std::string text = bytes("out/image.glsl");
+    EXPECT_NE(text.find("vec4 tint; float gain;"), text.npos) << text;
+    EXPECT_NE(text.find("struct { vec3 direction; } sun;"), text.npos) << text;
+    EXPECT_EQ(text.find("uniform"), text.npos) << text;
+    ASSERT_EQ(glint({"import", "out", "-o", "back.frag"}).err, "");
+    EXPECT_EQ(draw("a.frag").pixels, draw("back.frag").pixels);
+}
+
 // Of a tab that somebody has edited since, too.
 TEST_F(Export, TheFolderOfTabsComesBackWithWhatEachReads) {
     write("a.frag",

@@ -302,24 +302,6 @@ TEST_F(Import, CubesVolumesAndMusicBesideTheFileAreUsed) {
     EXPECT_EQ(draw("local.frag", 0), (std::array{255, 102, 128})) << bytes("local.frag");
 }
 
-TEST_F(Import, AFolderOfTabsInAnySpellingBecomesAScene) {
-    fs::create_directories(folder() / "tabs");
-    write("tabs/Common.glsl", "#define HALF 0.5\n");
-    write("tabs/Buffer A.glsl", "void mainImage(out vec4 c, in vec2 p) { c = vec4(HALF); }");
-    write("tabs/bufB.GLSL",
-          "void mainImage(out vec4 c, in vec2 p) { c = texture(iChannel0, p) * "
-          "HALF; }\n");
-    write("tabs/Image.glsl",
-          "void mainImage(out vec4 c, in vec2 p) { c = vec4(texture(iChannel0, "
-          "p).x, texture(iChannel1, p).x, 0, 1); }\n");
-    write("tabs/notes.md", "not a tab\n");
-    write("tabs/bufferE.glsl", "float e;\n");
-    const Outcome made = glint({"import", "tabs", "-o", "scene.frag"});
-    ASSERT_EQ(made.code, 0) << made.err;
-    EXPECT_TRUE(made.err.starts_with("tabs/bufferE.glsl: warning: it is no tab")) << made.err;
-    EXPECT_EQ(draw("scene.frag", 0), (std::array{128, 64, 0}));
-}
-
 TEST_F(Import, SeveralShadersBecomeSeveralFilesAndNothingIsOverwritten) {
     const auto red = [](const char* r) {
         const std::string code = "void mainImage(out vec4 c, in vec2 p) { c.rgb = vec3(";

@@ -273,6 +273,19 @@ TEST_F(InfoAndBench, InfoPrintsSomeOfManyFindingsAndSaysHowManyMore) {
     EXPECT_EQ(json({"info", "many.frag"})["findings"].size(), 300u);
 }
 
+TEST_F(InfoAndBench, InfoTellsNothingOfWhatBrowsersTakeAndTheValidatorDoesNot) {
+    if (!counts_words()) GTEST_SKIP() << "no glslangValidator or spirv-opt";
+    const std::string image =
+        "void mainImage(out vec4 c, in vec2 p) { c = vec4(turned[0], 0, 1); }\n";
+    write("inverse.frag", "const mat2 turned = inverse(mat2(1, 2, 3, 4));\n" + image);
+    EXPECT_TRUE(json({"info", "inverse.frag"})["findings"].empty());
+    write("sound.frag",
+          "const mat2 turned = mat2(1);\n#ifdef PASS_sound\nfloat iTime;\nvec2 mainSound(float t) "
+          "{ iTime = t; return vec2(sin(iTime)); }\n#endif\n" +
+              image);
+    EXPECT_TRUE(json({"info", "sound.frag"})["findings"].empty());
+}
+
 TEST_F(InfoAndBench, InfoTellsWhatWebGlWouldRefuse) {
     if (!counts_words()) GTEST_SKIP() << "no glslangValidator or spirv-opt";
     write("lib.glsl", "vec4 read(vec2 at) { return texture2D(grain, at); }\n");

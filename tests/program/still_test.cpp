@@ -167,6 +167,36 @@ TEST_F(Still, OddTextDrawsWhatPlainTextDraws) {
     }
 }
 
+TEST_F(Still, OfAChannelThatNothingFillsTakesItForWhatTheTextDoes) {
+    const std::pair<const char*, const char*> cases[] = {
+        {"texture(iChannel0, normalize(vec3(p, 1.0)))", "uniform samplerCube iChannel0"},
+        {"texelFetch(iChannel0, ivec3(p, 0), 0)", "uniform sampler3D iChannel0"},
+        {"texture(iChannel0, p)", "uniform sampler2D iChannel0"}};
+    write("filled.toml", "scene = \"a.frag\"\n[channels]\niChannel0 = { noise = \"r 8\" }\n");
+    for (const auto& [place, declaration] : cases) {
+        write("a.frag",
+              fmt::format("void mainImage(out vec4 c, in vec2 p) {{ c = {}; }}\n", place));
+        const Outcome drawn = glint({"still", "a.frag", "-o", "a.png", "--size", "16x9"});
+        EXPECT_EQ(drawn.code, 0) << drawn.err;
+        EXPECT_NE(drawn.err.find(declaration), drawn.err.npos) << drawn.err;
+        still({"filled.toml", "-o", "b.png"});
+    }
+}
+
+TEST_F(Still, TellsOfLoopsThatTheDriverHasEnded) {
+    const auto said = [&](const char* loop) {
+        write("a.frag", fmt::format("void mainImage(out vec4 c, in vec2 p) {{ float s = 0.0; {} "
+                                    "c = vec4(s); }}\n",
+                                    loop));
+        return glint({"still", "a.frag", "-o", "a.png", "--size", "16x9"}).err;
+    };
+    const std::string long_one = said("\nfor (int i = 0; i < 70000; i++) s += 0.1;");
+    EXPECT_EQ(long_one.find("a.frag:2:1: warning: llvmpipe has ended loops of image"), 0)
+        << long_one;
+    EXPECT_EQ(said("for (int i = 0; i < 70000; i++) { s += 0.1; if (s > 9.0) break; }"), "");
+    EXPECT_EQ(said("\n//@ allow long-loop\nfor (int i = 0; i < 70000; i++) s += 0.1;"), "");
+}
+
 TEST_F(Still, FindsFilesWhateverTheirNamesAndWhereverItRuns) {
     const std::string place = "a folder/ключ 🎄 'quoted'";
     write(place + "/lib.glsl", "vec4 a(vec2 p) { return vec4(p / iResolution.xy, 0.25, 1.0); }\n");

@@ -18,7 +18,7 @@ constexpr std::size_t kMostPictures = 6;
 Sampler channel_of(const Preset& preset, std::size_t channel) {
     Sampler sampler;
     sampler.name = fmt::format("iChannel{}", channel);
-    sampler.type = preset.scene.channel_types[channel].value_or(SamplerType::sampler2D);
+    sampler.type = preset.scene.channel_types[channel].value_or(preset.channels[channel].type);
     return sampler;
 }
 
