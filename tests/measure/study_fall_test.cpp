@@ -55,8 +55,7 @@ Study judged(
         StudyRow row{.value = std::to_string(work), .work = work, .times = steady(ms(work))};
         row.error = Difference{.rmse = apart(pictures.back(), truth), .max = 1.0};
         row.is_reference = work == reference;
-        if (pictures.size() > 1)
-            row.rmse_to_previous = apart(pictures.back(), pictures[pictures.size() - 2]);
+        if (std::isnan(row.error->rmse)) row.failed = "diverged";
         study.rows.push_back(row);
     }
     for (StudyRow& row : study.rows)
@@ -122,6 +121,26 @@ TEST(StudyFall, TellsASumThatNeverEnds) {
         EXPECT_EQ(finding.find("the rows are as far"), std::string::npos) << finding;
     // One whose steps become shorter, however slowly, has an end.
     EXPECT_TRUE(judged(of_order(0.3), kDoubled, 1024).converges);
+}
+
+// Of a picture that is no number nothing is known, neither of the rows beside it.
+TEST(StudyFall, IsToldAcrossARowThatDiverged) {
+    const auto broken_at = [](int work_of_none, const Method& method) -> Method {
+        return [=](int pixel, int work) {
+            return work == work_of_none ? std::nan("") : method(pixel, work);
+        };
+    };
+    const Method harmonic = [](int pixel, int work) {
+        double sum = 0.0;
+        for (int i = 1; i <= work; ++i) sum += 1.0 / i;
+        return sum * (0.5 + 0.001 * pixel);
+    };
+    for (const int work : {4, 16, 128, 256}) {
+        EXPECT_FALSE(judged(broken_at(work, harmonic), kDoubled, 1024).converges) << work;
+        const Study sound = judged(broken_at(work, of_order(1.0)), kDoubled, 1024);
+        ASSERT_EQ(sound.findings.size(), 1u) << sound.findings.front();
+        EXPECT_EQ(sound.findings[0], std::to_string(work) + ": diverged");
+    }
 }
 
 // Small values have small errors, and a sum of floats has rounding, which goes nowhere.

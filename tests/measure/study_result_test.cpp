@@ -140,9 +140,10 @@ TEST(StudyOrder, IsThatOfTheRowsThatAreStable) {
         study.rows.push_back(row(work, work));
         study.rows.back().work = work;
         study.rows.back().error = glint::Difference{.rmse = error, .max = error};
-        if (work > 1.0) study.rows.back().rmse_to_previous = error;  // the next is nearer by half
         work *= 2.0;
     }
+    for (glint::StudyRow& one : study.rows)  // the one before is off by twice as much
+        one.apart.assign(study.rows.size(), one.error->rmse);
     study.reference_error = glint::Difference{.rmse = 1e-6, .max = 1e-6};
     glint::judge(study, {.second_work = glint::kTwiceTheWork}, true);
     ASSERT_TRUE(study.order);

@@ -19,7 +19,6 @@ TEST(StudyStore, ARowComesBackWithAllThatWasMeasured) {
     const StudyRow row{.value = "4",
                        .work = 4.0,
                        .error = Difference{.rmse = 0.1 / 3, .psnr = 20.0 / 3},
-                       .rmse_to_previous = 0.1 / 7,
                        .is_reference = true};
     StudyStore(folder.path()).keep(kKey, row);
     const auto found = StudyStore(folder.path()).row(kKey, kSize);
@@ -27,7 +26,6 @@ TEST(StudyStore, ARowComesBackWithAllThatWasMeasured) {
     EXPECT_TRUE(found->resumed);
     EXPECT_EQ(found->work, row.work);
     EXPECT_EQ(found->error->rmse, row.error->rmse);
-    EXPECT_EQ(found->rmse_to_previous, row.rmse_to_previous);
     EXPECT_TRUE(found->is_reference);
 }
 

@@ -55,8 +55,6 @@ struct StudyRow {
     // To the reference; none without one. Where `failed` says something it means nothing, and JSON
     // has none.
     std::optional<Difference> error{};
-    // To the row before, in the order of values: do the values converge, wherever to? Not in JSON.
-    std::optional<double> rmse_to_previous{};
     std::optional<WorstView> worst{};
     std::vector<double> apart{};   // RMSE to each row of the study; empty: not known. Not in JSON
     std::string failed{};          // why there is no picture to compare

@@ -131,7 +131,6 @@ StudyRow row_over(const std::vector<View>& views, const std::vector<Study>& stud
     row.failed.clear();
     std::vector<const Difference*> errors;
     for (double& apart : row.apart) apart = 0.0;
-    double to_previous = 0.0;
     for (std::size_t v = 0; v < studies.size(); ++v) {
         const StudyRow& one = studies[v].rows[index];
         add_times(row.times.wall, one.times.wall, share);
@@ -143,7 +142,6 @@ StudyRow row_over(const std::vector<View>& views, const std::vector<Study>& stud
         row.apart.resize(std::min(row.apart.size(), one.apart.size()));
         for (std::size_t k = 0; k < row.apart.size(); ++k)
             row.apart[k] = std::hypot(row.apart[k], std::sqrt(share) * one.apart[k]);
-        to_previous += share * std::pow(one.rmse_to_previous.value_or(0.0), 2.0);
         if (!one.failed.empty()) row.failed = fmt::format("{}: {}", views[v].name, one.failed);
         if (!one.error) continue;
         errors.push_back(&*one.error);
@@ -154,7 +152,6 @@ StudyRow row_over(const std::vector<View>& views, const std::vector<Study>& stud
     }
     row.error.reset();
     if (!errors.empty()) row.error = mean_of(errors);
-    if (row.rmse_to_previous) row.rmse_to_previous = std::sqrt(to_previous);
     return row;
 }
 

@@ -223,19 +223,16 @@ Steps steps_of(const Study& study, bool more_is_better) {
     const auto work = [&](const StudyRow* row) {
         return more_is_better ? *row->work : 1.0 / *row->work;
     };
-    std::vector<const StudyRow*> listed = steps.rows;
     std::ranges::stable_sort(steps.rows, {}, work);
     for (std::size_t i = 0; i < steps.rows.size(); ++i) {
         steps.work.push_back(work(steps.rows[i]));
         if (i == 0) continue;
-        // Each knows how far it is from the one that stands before it in the list.
-        const StudyRow *row = steps.rows[i], *before = steps.rows[i - 1];
-        const StudyRow& later = row > before ? *row : *before;
-        if (later.rmse_to_previous) steps.to_next.push_back(*later.rmse_to_previous);
+        // Rows that failed lie between them in the list, and are passed by.
+        const std::vector<double>& apart = steps.rows[i]->apart;
+        const auto before = static_cast<std::size_t>(steps.rows[i - 1] - study.rows.data());
+        if (before < apart.size()) steps.to_next.push_back(apart[before]);
     }
-    if (listed != steps.rows) std::ranges::reverse(listed);
-    const bool is_in_order = listed == steps.rows;
-    if (!is_in_order || steps.to_next.size() + 1 != steps.rows.size()) steps.to_next.clear();
+    if (steps.to_next.size() + 1 != steps.rows.size()) steps.to_next.clear();
     steps.fall = {.order = order_of(steps), .one_shape = have_one_shape(steps)};
     return steps;
 }

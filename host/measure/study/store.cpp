@@ -74,7 +74,6 @@ std::optional<StudyRow> row_in(const fs::path& name, const StudyKey& key) {
     StudyRow row{.value = json.at("value")};
     if (!json.at("work").is_null()) row.work = json.at("work");
     if (!json.at("error").is_null()) row.error = difference_from_json(json.at("error"));
-    if (!json.at("to_previous").is_null()) row.rmse_to_previous = json.at("to_previous");
     row.failed = json.at("failed");
     row.is_reference = json.at("is_reference");
     row.picture = json.at("picture");
@@ -182,12 +181,10 @@ std::optional<StudyRow> StudyStore::row(const StudyKey& key, glm::ivec2 size) co
 
 void StudyStore::keep(const StudyKey& key, const StudyRow& row) const {
     if (folder_.empty()) return;
-    const auto optional = [](const std::optional<double>& v) { return v ? Json(*v) : Json(); };
     const Json json = {{"key", key.text},
                        {"value", row.value},
-                       {"work", optional(row.work)},
+                       {"work", row.work ? Json(*row.work) : Json()},
                        {"error", row.error ? glint::to_json(*row.error) : Json()},
-                       {"to_previous", optional(row.rmse_to_previous)},
                        {"failed", row.failed},
                        {"is_reference", row.is_reference},
                        {"picture", row.picture},

@@ -174,11 +174,9 @@ bool works_more(const KnobValue& value, const KnobValue& reference) {
     return value.work && reference.work && *value.work > *reference.work;
 }
 
-// One row: drawn, as `picture`, and compared. `previous` is the picture of the row before. The
-// scene stands ready to be timed.
+// One row: drawn, as `picture`, and compared. The scene stands ready to be timed.
 StudyRow measure_row(const Scenery& scenery, const Knob& knob, const KnobValue& value,
-                     const Reference* reference, const StudyKey& key,
-                     const std::vector<float>& previous, std::vector<float>& picture,
+                     const Reference* reference, const StudyKey& key, std::vector<float>& picture,
                      std::unique_ptr<MeasuredScene>& scene) {
     StudyRow row{.value = value.text, .work = value.work};
     try {
@@ -203,9 +201,6 @@ StudyRow measure_row(const Scenery& scenery, const Knob& knob, const KnobValue& 
             flip_map(picture, reference->drawn.rgba, scenery.size, {.values = values});
         row.error->flip = mean_where_finite(seen, reference->drawn.rgba);
         if (!reference->is_finite_anywhere(values)) row.error.reset();
-        if (!previous.empty()) {
-            row.rmse_to_previous = difference(picture, previous, values).rmse;
-        }
         row.picture = scenery.store.keep_picture(key, picture, scenery.size);
         row.map = scenery.store.keep_map(key, picture, reference->drawn.rgba, scenery.size, values);
         row.flip_map = scenery.store.keep_flip_map(key, seen, scenery.size);
@@ -246,15 +241,11 @@ void warm_up(MeasuredScene& scene, StudyRow& row) {
 // Pictures and errors. What is drawn now has a first time, too, as long as there is no better.
 void draw_rows(const Scenery& scenery, const Knob& knob, const Reference* reference, Study& study,
                Scenes& scenes) {
-    // An error depends on the reference, and how far a row is from the one before on that one.
-    std::string before;
-    std::vector<float> previous;
     std::vector<std::vector<float>> pictures;
     Progress progress(fmt::format("{} {}", scenery.name, knob.name),
                       static_cast<long>(knob.values.size()));
     for (const KnobValue& value : knob.values) {
-        const std::string kind =
-            fmt::format("row{}\n{}", before, reference ? reference->key.text : "");
+        const std::string kind = fmt::format("row\n{}", reference ? reference->key.text : "");
         const StudyKey key = key_of(scenery, knob, value, kind);
         std::unique_ptr<MeasuredScene>& scene = scenes.emplace_back();
         std::vector<float>& picture = pictures.emplace_back();
@@ -262,15 +253,12 @@ void draw_rows(const Scenery& scenery, const Knob& knob, const Reference* refere
             picture = scenery.store.picture(key, scenery.size).value_or(std::vector<float>());
             study.rows.push_back(std::move(*kept));
         } else {
-            study.rows.push_back(
-                measure_row(scenery, knob, value, reference, key, previous, picture, scene));
+            study.rows.push_back(measure_row(scenery, knob, value, reference, key, picture, scene));
             scenery.store.keep(key, study.rows.back());
             if (scene) warm_up(*scene, study.rows.back());
         }
         study.rows.back().is_preset = value.setting == own_setting(scenery.preset, knob);
         study.rows.back().is_between = value.is_between;
-        if (!value.is_between) before = " after " + value.text;
-        if (!value.is_between && !picture.empty()) previous = picture;
         progress.update(static_cast<long>(study.rows.size()));
         tell(scenery, knob, study);
     }
