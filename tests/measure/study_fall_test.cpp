@@ -143,6 +143,19 @@ TEST(StudyFall, IsToldAcrossARowThatDiverged) {
     }
 }
 
+// Of one that falls faster the more work is done, as Jacobi's sweeps make it, early steps grow.
+TEST(StudyFall, OfAnErrorThatFallsExponentiallyHasAnEnd) {
+    const Method sweeps = [](int pixel, int work) {
+        return std::exp(-work / 200.0) * (0.5 + 0.001 * pixel);
+    };
+    const Study study = judged(sweeps, {1, 2, 4, 8, 16, 32, 64, 128, 256}, 1024);
+    EXPECT_TRUE(study.converges);
+    EXPECT_TRUE(study.findings.empty()) << study.findings.front();
+    const double off = off_truth(sweeps, 1024);
+    EXPECT_GE(study.own_error, off);
+    EXPECT_LT(study.own_error, 2.0 * off) << "by the order at the reference, and not of the rows";
+}
+
 // Small values have small errors, and a sum of floats has rounding, which goes nowhere.
 TEST(StudyFall, IsToldBesideTheSizeOfValues) {
     const auto ms = [](int work) { return 1.0 + 0.1 * work; };

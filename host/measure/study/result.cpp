@@ -248,12 +248,50 @@ std::optional<double> distance_to_limit(const Steps& steps) {
     return last / (std::pow(ratio, *order) - 1.0);
 }
 
+// A step by the same factor of work as all others, and the work where it ends.
+struct Stride {
+    double work = 0.0, length = 0.0;
+};
+
+std::vector<Stride> strides_of(const Steps& steps) {
+    std::vector<Stride> strides;
+    for (std::size_t i = 0; i < steps.to_next.size(); ++i) {
+        const double end = steps.work[i + 1];
+        strides.push_back({end, steps.to_next[i] / std::log(end / steps.work[i])});
+    }
+    return strides;
+}
+
+// From the reference to its second; nothing where that does no more work in the same way.
+std::optional<Stride> stride_beyond(const Study& study, const Knob& knob) {
+    const auto& [kind, ratio] = knob.second_work;
+    const double work = knob.reference.work.value_or(0.0);
+    if (!study.has_own_error() || work <= 0.0 || kind != SecondWork::Kind::more || ratio <= 1.0)
+        return std::nullopt;
+    return Stride{(knob.more_is_better ? work : 1.0 / work) * ratio,
+                  study.reference_error->rmse / std::log(ratio)};
+}
+
+// By how many powers steps become shorter from the last of the rows to that of the reference. Of an
+// error that falls faster the more work is done, as exp(-n) does, the rows show next to nothing.
+std::optional<double> order_beyond(const Study& study, const Knob& knob, const Steps& steps) {
+    const auto beyond = stride_beyond(study, knob);
+    if (!beyond || steps.to_next.empty() || beyond->work < kMoreWork * steps.work.back())
+        return std::nullopt;
+    const Stride last = strides_of(steps).back();
+    if (std::min(last.length, beyond->length) <= steps.least) return std::nullopt;
+    return std::min(std::log(last.length / beyond->length) / std::log(beyond->work / last.work),
+                    kMostOrder);
+}
+
 // How errors fall beside the reference. Where they fall slowly, the rows near it are nearer than to
 // the truth by as much as it is off itself: steps know nothing of it.
-Fall fall_of(const Study& study, const Steps& steps) {
+Fall fall_of(const Study& study, const Knob& knob, const Steps& steps) {
     Fall fall{.order = study.order, .one_shape = steps.fall.one_shape};
     if (fall.order && *fall.order < kRandomOrder && fall.one_shape && steps.fall.order)
         fall.order = std::min(*fall.order, *steps.fall.order);
+    if (fall.order && fall.one_shape)
+        fall.order = std::max(*fall.order, order_beyond(study, knob, steps).value_or(0.0));
     return fall;
 }
 
@@ -280,20 +318,20 @@ void find_wrong_reference(Study& study, const Knob& knob, const Steps& steps) {
 // Steps that are as long at the reference as they are among the rows never end: as those of a sum
 // that grows with the logarithm of its terms. By the same factor of work.
 bool goes_on(const Study& study, const Knob& knob, const Steps& steps) {
-    if (steps.to_next.size() < 3 || !study.has_own_error() || !knob.reference.work ||
-        knob.second_work.kind != SecondWork::Kind::more || knob.second_work.ratio <= 1.0)
-        return false;
+    const auto beyond = stride_beyond(study, knob);
+    if (steps.to_next.size() < 3 || !beyond) return false;
     std::vector<double> work, step;
-    for (std::size_t i = 0; i < steps.to_next.size(); ++i) {
-        work.push_back(steps.work[i + 1]);
-        step.push_back(steps.to_next[i] / std::log(steps.work[i + 1] / steps.work[i]));
+    for (const Stride& stride : strides_of(steps)) {
+        work.push_back(stride.work);
+        step.push_back(stride.length);
     }
-    const double reference = *knob.reference.work, ratio = knob.second_work.ratio;
-    work.push_back((knob.more_is_better ? reference : 1.0 / reference) * ratio);
-    step.push_back(study.reference_error->rmse / std::log(ratio));
+    // Longer than the last of them by far, it is the reference alone that leads away; shorter by
+    // far, they end, however long they became before.
+    if (std::max(beyond->length, step.back()) > kSurely * std::min(beyond->length, step.back()))
+        return false;
+    work.push_back(beyond->work);
+    step.push_back(beyond->length);
     if (std::ranges::min(step) <= steps.least) return false;
-    // Longer than the last of them by far, it is the reference alone that leads away.
-    if (step.back() > kSurely * step[step.size() - 2]) return false;
     return -*log_slope(work, step) < kNoOrder;
 }
 
@@ -512,10 +550,10 @@ void judge(Study& study, const Knob& knob, bool on_software) {
     study.order.reset();
     const Steps steps = steps_of(study, knob.more_is_better);
     for (int round = 0; round < 2; ++round) {
-        study.own_error = own_error(apart, knob.second_work, fall_of(study, steps));
+        study.own_error = own_error(apart, knob.second_work, fall_of(study, knob, steps));
         fit(study, knob.more_is_better);
     }
-    study.own_error = own_error(apart, knob.second_work, fall_of(study, steps));
+    study.own_error = own_error(apart, knob.second_work, fall_of(study, knob, steps));
     if (study.has_truth() && !study.time_only)
         compare_with_reference(study, knob);
     else if (!study.time_only)
