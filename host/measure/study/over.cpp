@@ -149,6 +149,7 @@ StudyRow row_over(const std::vector<View>& views, const std::vector<Study>& stud
         row.worst = {.view = views[v].name, .rmse = one.error->rmse};
         row.picture = one.picture;
         row.map = one.map;
+        row.flip_map = one.flip_map;
     }
     row.error.reset();
     if (!errors.empty()) row.error = mean_of(errors);
@@ -176,6 +177,7 @@ Knob knob_in(const View& view, const Preset& base, const Knob& knob) {
     if (turned.rival) turn(turned.rival->value);
     if (turned.rival && turned.rival->second) turn(*turned.rival->second);
     if (turned.rival && turned.rival->more) turn(*turned.rival->more);
+    if (turned.rival && turned.rival->less) turn(*turned.rival->less);
     return turned;
 }
 
