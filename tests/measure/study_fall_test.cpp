@@ -156,6 +156,21 @@ TEST(StudyFall, OfAnErrorThatFallsExponentiallyHasAnEnd) {
     EXPECT_LT(study.own_error, 2.0 * off) << "by the order at the reference, and not of the rows";
 }
 
+// The first is near by chance, as one sample in the middle is.
+TEST(StudyFall, GrowsNotWhereTheLastComeNearer) {
+    const Method lucky = [](int pixel, int work) {
+        return work == 1 ? 0.0014 : of_order(1.0)(pixel, work) * 0.05;
+    };
+    const Study study = judged(lucky, {1, 2, 4}, 1024);
+    EXPECT_TRUE(study.converges);
+    EXPECT_TRUE(study.findings.empty()) << study.findings.front();
+    const Method worse = [](int, int work) { return work == 8 ? 0.39 : 0.1 * work; };
+    EXPECT_FALSE(judged([&](int pixel, int work) { return work > 8 ? 0.0 : worse(pixel, work); },
+                        {1, 2, 4, 8}, 1024)
+                     .converges)
+        << "the last is as far as the one before";
+}
+
 // Small values have small errors, and a sum of floats has rounding, which goes nowhere.
 TEST(StudyFall, IsToldBesideTheSizeOfValues) {
     const auto ms = [](int work) { return 1.0 + 0.1 * work; };

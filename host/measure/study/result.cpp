@@ -347,6 +347,16 @@ Steps before_reference(const Knob& knob, Steps steps) {
     return steps;
 }
 
+// Whether the last row is nearer than the one before, to a reference that is off by far less: those
+// before may have been near by chance. All errors are of these works.
+bool come_nearer(const Study& study, std::span<const double> work, std::span<const double> errors) {
+    const std::size_t last = errors.size() - 1;
+    if (last == 0 || !study.has_own_error()) return false;
+    return errors[last] > kNearFactor * study.reference_error->rmse &&
+           std::log(errors[last - 1] / errors[last]) >
+               kNoOrder * std::log(work[last] / work[last - 1]);
+}
+
 // More work that brings no row nearer to the reference, and the reference no nearer to its second,
 // goes nowhere.
 void find_convergence(Study& study, const Knob& knob, const Steps& all) {
@@ -368,6 +378,7 @@ void find_convergence(Study& study, const Knob& knob, const Steps& all) {
         return;
     // One that has grown may be on its way down, as terms of a series are.
     if (errors.back() < kNoNearer * std::ranges::max(errors)) return;
+    if (come_nearer(study, steps.work, errors)) return;
     const double apart = study.has_own_error() ? study.reference_error->rmse : 0.0;
     study.converges = apart < kNoNearer * typical && -*slope > kGrowingOrder;
     if (study.converges) return;
