@@ -114,6 +114,12 @@ struct Study {
     std::vector<std::string> notes{};     // what was assumed, and what was left out
     std::string reference_picture{};      // a file, seen from the report; "": none
 
+    // The order as people are told it: none where the error does not fall.
+    std::optional<double> told_order() const {
+        constexpr double kFalls = 0.05;
+        return order && *order >= kFalls ? order : std::nullopt;
+    }
+
     // What is no number, or was not drawn to its end, is nobody's truth: no error is told by it.
     bool has_truth() const { return reference_not_finite == 0 && reference_cut.empty(); }
 

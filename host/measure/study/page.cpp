@@ -52,7 +52,7 @@ std::string worst_text(const StudyRow& row) {
                        markup_escaped(row.worst->view));
 }
 
-std::string row_text(const StudyRow& row) {
+std::string row_text(const Study& study, const StudyRow& row) {
     const Timing& ms = row.ms;
     std::string text = fmt::format(
         "<tr{}><td class=text>{}{}<td>{:.3f}<td>{:.3f} – {:.3f}<td class=text>{}<td>{:.3f}",
@@ -66,12 +66,13 @@ std::string row_text(const StudyRow& row) {
     }
     if (!row.error) return text + "\n";
     const Difference& e = *row.error;
-    return text + fmt::format("<td>{}<td>{}<td>{}<td>{}<td>{}<td>{}<td class=text>{}\n",
-                              three_digits(e.rmse), three_digits(e.max),
-                              std::isinf(e.psnr) ? "∞" : fmt::format("{:.1f}", e.psnr),
-                              percent(e.share_off), three_digits(e.relative_mse),
-                              three_digits(e.flip),
-                              (row.near_reference ? "~" : "") + worst_text(row));
+    const char mark = mark_of(study, row);
+    return text +
+           fmt::format("<td>{}<td>{}<td>{}<td>{}<td>{}<td>{}<td class=text>{}\n",
+                       three_digits(e.rmse), three_digits(e.max),
+                       std::isinf(e.psnr) ? "∞" : fmt::format("{:.1f}", e.psnr),
+                       percent(e.share_off), three_digits(e.relative_mse), three_digits(e.flip),
+                       (mark == '!' || mark == '~' ? std::string(1, mark) : "") + worst_text(row));
 }
 
 std::string table(const Study& study) {
@@ -83,14 +84,14 @@ std::string table(const Study& study) {
         text += "<th>RMSE<th>max<th>PSNR, dB<th>off by &gt; 1/255<th>relative MSE<th>FLIP<th>";
     }
     text += "\n";
-    for (const StudyRow& row : study.rows) text += row_text(row);
+    for (const StudyRow& row : study.rows) text += row_text(study, row);
     text += "</table></div>\n";
     if (study.time_only) return text;
     return text +
            "<p class=facts><span class=pareto>Shaded</span>: no other value is told to be better "
            "in "
            "time or error, and worse in neither. ~: within ten times of the reference's own "
-           "error.</p>\n";
+           "error. !: its error means nothing.</p>\n";
 }
 
 std::string figure(const std::string& file, const std::string& caption) {
@@ -152,9 +153,8 @@ std::string section(const Study& study, std::size_t number) {
                            "than two points to show.</p>\n"
                          : plot + "\n";
     text += table(study);
-    if (study.order) {
-        text +=
-            fmt::format("<p>Observed order: error ~ work<sup>{:.2f}</sup></p>\n", -*study.order);
+    if (const auto order = study.told_order()) {
+        text += fmt::format("<p>Observed order: error ~ work<sup>{:.2f}</sup></p>\n", -*order);
     }
     if (study.cost_exponent) {
         text += fmt::format("<p>Cost: time ~ {}<sup>{:.2f}</sup> over the larger half</p>\n",
@@ -183,7 +183,7 @@ std::string index(std::span<const Study> studies) {
             "<tr><td class=text>{}<td class=text><a href=\"#s{}\">{}</a><td>{}<td>{}<td>{}"
             "<td class=\"words finding\">{}\n",
             markup_escaped(study.scene), i, markup_escaped(study.knob), study.rows.size(),
-            optional_number(study.order), optional_number(study.cost_exponent),
+            optional_number(study.told_order()), optional_number(study.cost_exponent),
             study.findings.empty() ? "" : markup_escaped(study.findings.front()));
     }
     return text + "</table></div>\n";

@@ -44,6 +44,10 @@ std::optional<double> log_slope(std::span<const double> x, std::span<const doubl
 // What the reference is off by, or why that is not known: "0.001 by 8192".
 std::string own_error_text(const Study& study);
 
+// One character that tells how to take a row: '!' means nothing, '=' is the reference, '~' is near
+// it, and ' ' any other.
+char mark_of(const Study& study, const StudyRow& row);
+
 // What was judged, as aligned lines that end with findings and notes; for a terminal.
 std::string to_table(const Study& study);
 // Lines of comma-separated values: the names, and a line a row.

@@ -9,20 +9,17 @@
 namespace glint {
 namespace {
 
-constexpr double kFalls = 0.05;  // an order below which an error does not fall
-
 std::string psnr_text(double psnr) {
     return std::isinf(psnr) ? "inf" : fmt::format("{:.1f}", psnr);
 }
 
-// One character that tells how to take a row.
-char mark(const Study& study, const StudyRow& row) {
+}  // namespace
+
+char mark_of(const Study& study, const StudyRow& row) {
     if (!row.failed.empty() || !study.converges) return '!';
     if (row.is_reference) return '=';
     return row.near_reference ? '~' : ' ';
 }
-
-}  // namespace
 
 std::string own_error_text(const Study& study) {
     if (study.reference_not_finite > 0)
@@ -62,8 +59,8 @@ std::string to_table(const Study& study) {
     for (const StudyRow& row : study.rows) {
         const Timing& ms = row.ms;
         text += fmt::format("{} {} {:>{}} {:>10.3f} {:>9.3f} {:>9.3f} {:>14}",
-                            row.pareto ? '*' : ' ', mark(study, row), row.value, widest, ms.median,
-                            ms.low, ms.high, row.verdict ? to_string(*row.verdict) : "");
+                            row.pareto ? '*' : ' ', mark_of(study, row), row.value, widest,
+                            ms.median, ms.low, ms.high, row.verdict ? to_string(*row.verdict) : "");
         if (!row.failed.empty()) text += " " + row.failed;
         if (row.has_error()) {
             text +=
@@ -75,8 +72,8 @@ std::string to_table(const Study& study) {
             text += fmt::format("  worst {} in {}", three_digits(row.worst->rmse), row.worst->view);
         text += "\n";
     }
-    if (study.order && *study.order >= kFalls)
-        text += fmt::format("order {:.2f} (error ~ work^-order)\n", *study.order);
+    if (const auto order = study.told_order())
+        text += fmt::format("order {:.2f} (error ~ work^-order)\n", *order);
     if (study.cost_exponent) {
         text += fmt::format("time ~ {}^{:.2f} over the larger half\n", study.knob,
                             *study.cost_exponent);

@@ -269,7 +269,8 @@ void study_facts(const Study& study) {
     const double own = study.reference_rmse();
     text_in(colours::kDim, "Reference " + study.reference);
     if (own > 0.0) text_in(colours::kDim, "Itself within " + power_text(own));
-    if (study.order) text_in(colours::kDim, fmt::format("Order {:.2f}", *study.order));
+    if (const auto order = study.told_order())
+        text_in(colours::kDim, fmt::format("Order {:.2f}", *order));
     for (const std::string& finding : study.findings) text_in(colours::kWarning, finding);
     ImGui::PopTextWrapPos();
 }
