@@ -18,11 +18,11 @@ namespace {
 
 // What a still says of itself.
 void read_meaning(const std::filesystem::path& file, ComparedPicture& picture) {
-    picture.is_light = true;
     for (const auto& [name, value] : read_texts(file)) {
-        if (name.starts_with("glint:")) picture.is_light = false;
+        picture.is_drawn |= name.starts_with("glint:");
         if (name == "glint:pass" && value != "image") picture.buffer = value;
     }
+    picture.is_light = !picture.is_drawn;
 }
 
 }  // namespace

@@ -19,6 +19,7 @@ struct ComparedPicture {
                                 // alpha 1 where there is none
     bool bytes = false;         // the file keeps 8 bits a channel
     bool is_light = false;      // linear; else as a display shows it, in sRGB
+    bool is_drawn = false;      // the file says that this program drew it
     std::string buffer{};       // the file says that these are its numbers, and no colours
 };
 

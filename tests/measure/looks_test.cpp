@@ -1,13 +1,18 @@
 // Two looks beside each other, as far as no frame need be drawn.
 #include "measure/study/looks.h"
 
+#include "../base/test_folder.h"
 #include "measure/rows/heat.h"
 #include "measure/study/pair.h"
+#include "media/image.h"
 #include "offline/common.h"
+#include "offline/picture_file.h"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <cstring>
 #include <random>
 
 namespace glint {
@@ -72,6 +77,45 @@ TEST(Looks, APictureIsOneOfTwo) {
     EXPECT_TRUE(compares_looks({.files = {"a.exr", "b.jpg"}}));
     EXPECT_THROW(compares_looks({.files = {"a.png"}}), UsageError);
     EXPECT_THROW(compares_looks({.files = {"a.png", "b.toml", "c.toml"}}), UsageError);
+}
+
+// A grey ramp of 16 pixels, from 0 to `most`, whose last is brighter than a display shows.
+Image grey_ramp(ChannelType type, float most, bool is_light) {
+    Image image{.size = {16, 1}, .channels = 3, .type = type, .pixels = {}};
+    for (int i = 0; i < 48; ++i) {
+        const float shown = std::round(most * 17.0f * static_cast<float>(i / 3)) / 255.0f;
+        const float light =
+            shown <= 0.04045f ? shown / 12.92f : std::pow((shown + 0.055f) / 1.055f, 2.4f);
+        const float value = is_light ? light : shown;
+        std::byte bytes[sizeof value];
+        std::memcpy(bytes, &value, sizeof value);
+        if (type == ChannelType::u8)
+            image.pixels.push_back(static_cast<std::byte>(std::lround(255.0f * value)));
+        else
+            image.pixels.insert(image.pixels.end(), std::begin(bytes), std::end(bytes));
+    }
+    return image;
+}
+
+nlohmann::json compared(const std::filesystem::path& a, const std::filesystem::path& b) {
+    StudyOptions options{.files = {a, b}};
+    options.view.json = true;
+    testing::internal::CaptureStdout();
+    run_looks(options);
+    return nlohmann::json::parse(testing::internal::GetCapturedStdout());
+}
+
+TEST(Looks, LightOfOthersIsNotCutToWhatAPictureOfBytesKeeps) {
+    const TestFolder folder;
+    const auto file = [&](const char* name) { return folder.path() / name; };
+    write_image(file("a.png"), grey_ramp(ChannelType::u8, 1.0f, false));
+    write_image(file("a.exr"), grey_ramp(ChannelType::f32, 1.0f, true));
+    write_image(file("bright.exr"), grey_ramp(ChannelType::f32, 4.0f, true));
+    write_image(file("drawn.exr"), grey_ramp(ChannelType::f32, 1.0f, false),
+                {{"glint:pass", "image"}});
+    EXPECT_LT(compared(file("a.png"), file("a.exr"))["rmse"], 1e-6);
+    EXPECT_GT(compared(file("a.png"), file("bright.exr"))["max"], 5.0) << "four times as bright";
+    EXPECT_EQ(compared(file("drawn.exr"), file("a.png"))["max"], 0.0);
 }
 
 TEST(Heat, GoesFromBlackToWhiteInFourSteps) {

@@ -80,13 +80,18 @@ void require_report_apart(const std::array<Look, 2>& looks, const fs::path& fold
     require_own_report(outputs, folder / "looks.json", "b", "<title>Glint: two looks<");
 }
 
-// What is drawn beside a picture of 8 bits is what a file of these would keep.
+// What this program draws, or has drawn, beside a picture of 8 bits is what a file of these would
+// keep. What others have in more bits stays as it is: it may hold light, and more than a display
+// shows.
 void round_as_the_other(const std::array<Look, 2>& looks, Comparison& found) {
     const auto has_bytes = [&](std::size_t i) {
         return looks[i].picture && looks[i].picture->bytes;
     };
+    const auto is_drawn = [&](std::size_t i) {
+        return !looks[i].picture || looks[i].picture->is_drawn;
+    };
     for (const std::size_t i : {0u, 1u})
-        if (!has_bytes(i) && has_bytes(1 - i))
+        if (is_drawn(i) && !has_bytes(i) && has_bytes(1 - i))
             round_to_bytes(found.pictures[i], found.pictures[1 - i]);
 }
 
