@@ -224,6 +224,11 @@ bool holds_floats(const fs::path& file) {
     return codec && has_floats(*codec);
 }
 
+bool holds_light(const fs::path& file) {
+    const auto codec = codec_of(file);
+    return codec == Codec::exr || codec == Codec::hdr;
+}
+
 bool begins_with_metadata(const fs::path& file) {
     const auto codec = codec_of(file);
     return codec == Codec::png || codec == Codec::exr;

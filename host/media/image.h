@@ -36,7 +36,8 @@ constexpr int kFileTile = 64;
 // Why a file of this name cannot be kept so, as a whole sentence; empty when it can.
 std::string refusal_of(const std::filesystem::path& file, const FileFormat& format);
 
-// Name and value, kept in the file where its format can (PNG text, EXR attributes).
+// Name and value, kept in the file where its format can (PNG text, EXR attributes; comments of an
+// HDR, which keep short lines of ours alone).
 using Metadata = std::vector<std::pair<std::string, std::string>>;
 
 // Why a picture of this size cannot be kept in a file of this name, as a whole sentence; empty when
@@ -57,6 +58,9 @@ bool can_write(const std::filesystem::path& file);
 
 // Whether files of this kind hold float values (exr, tif, hdr); the others hold bytes.
 bool holds_floats(const std::filesystem::path& file);
+
+// Whether what others write into files of this kind is linear light (exr, hdr).
+bool holds_light(const std::filesystem::path& file);
 
 // Whether files of this kind keep metadata, and before the pixels (png, exr).
 bool begins_with_metadata(const std::filesystem::path& file);

@@ -15,7 +15,9 @@
 #include <cerrno>
 #include <exception>
 #include <future>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -221,6 +223,22 @@ void read_into(Room& room, const ReadableFile& in, const char* format) {
     throw cannot_decode(room.file, told_of(room.file, in, cause.data()));
 }
 
+// Of the head of an HDR; nothing where it is none.
+std::optional<Metadata> hdr_comments(const ReadableFile& in) {
+    std::array<char, 1 << 14> buffer{};
+    std::string_view head(buffer.data(), in.read(buffer, 0));
+    if (!head.starts_with("#?")) return std::nullopt;
+    Metadata texts;
+    while (!head.empty() && head.front() != '\n') {  // an empty line ends it
+        const std::string_view line = head.substr(0, head.find('\n'));
+        head.remove_prefix(std::min(line.size() + 1, head.size()));
+        const std::size_t equals = line.find('=');
+        if (line.starts_with("# glint:") && equals != line.npos)
+            texts.emplace_back(line.substr(2, equals - 2), line.substr(equals + 1));
+    }
+    return texts;
+}
+
 }  // namespace
 
 void prepare_oiio() {
@@ -282,6 +300,7 @@ PartsFile read_parts(const fs::path& file) {
 
 Metadata read_texts(const fs::path& file) {
     const ReadableFile in(file);
+    if (const auto comments = hdr_comments(in)) return *comments;
     Rooms rooms{.file = file, .content = {}, .refusal = {}};
     const auto no_room = [](void*, const GlintExrPart*) -> void* { return nullptr; };
     std::array<char, 512> cause{};

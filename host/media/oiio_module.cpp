@@ -14,6 +14,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -33,10 +34,16 @@ public:
     }
 
     size_t write(const void* buffer, size_t size) override {
-        const size_t put = pwrite(buffer, size, m_pos);
-        m_pos += static_cast<int64_t>(put);
-        return put;
+        const std::string_view bytes(static_cast<const char*>(buffer), size);
+        const size_t line = comments_.empty() ? bytes.npos : bytes.find('\n');
+        if (line == bytes.npos) return put(bytes);
+        const size_t head = put(bytes.substr(0, line + 1));
+        put(std::exchange(comments_, {}));
+        return head + put(bytes.substr(line + 1));
     }
+
+    // Lines that go behind the first one: those of an HDR, for which OpenImageIO has no words.
+    void comment(std::string lines) { comments_ = std::move(lines); }
 
     size_t pread(void* buffer, size_t size, int64_t offset) override {
         const ssize_t got = ::pread(descriptor_, buffer, size, offset);
@@ -68,8 +75,15 @@ public:
     int refused() const { return error_; }
 
 private:
+    size_t put(std::string_view bytes) {
+        const size_t done = pwrite(bytes.data(), bytes.size(), m_pos);
+        m_pos += static_cast<int64_t>(done);
+        return done;
+    }
+
     int descriptor_;
     int error_ = 0;
+    std::string comments_;
 };
 
 // OpenImageIO keeps a whole JPEG in memory unless it goes to a stream of C's. libjpeg would end the
@@ -86,6 +100,18 @@ std::FILE* stream_to(CheckedFile& file) {
 struct Close {
     void operator()(std::FILE* stream) const { std::fclose(stream); }
 };
+
+// Readers of Radiance's files, OpenImageIO's among them, know lines of 127 letters at most.
+std::string hdr_comments(const GlintOiioText* texts, size_t text_count) {
+    constexpr size_t kLongest = 120;
+    std::string comments;
+    for (size_t i = 0; i < text_count; ++i) {
+        const std::string line = std::string("# ") + texts[i].name + "=" + texts[i].value;
+        const bool fits = line.size() <= kLongest && line.find_first_of("\r\n") == line.npos;
+        if (line.starts_with("# glint:") && fits) comments += line + "\n";
+    }
+    return comments;
+}
 
 OIIO::TypeDesc type_of(const GlintOiioPicture& picture) {
     return picture.is_float ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8;
@@ -224,6 +250,8 @@ void* glint_oiio_begin(int descriptor, const GlintOiioFormat* format, const Glin
                 open->stream.get(), OIIO::Filesystem::IOProxy::Write);
             open->output->set_ioproxy(open->on_stream.get());
         } else {
+            if (format->codec == std::string_view("hdr"))
+                open->file.comment(hdr_comments(texts, text_count));
             open->output->set_ioproxy(&open->file);
         }
         return open->output->open(format->codec, spec_of(*shape, *format, texts, text_count));

@@ -26,7 +26,8 @@ void write_parts(const std::filesystem::path& file, const PartsFile& content);
 // pixel.
 PartsFile read_parts(const std::filesystem::path& file);
 
-// What an EXR of any kind says of itself, in its first part; nothing where it cannot be read.
+// What an EXR of any kind says of itself, in its first part, and what an HDR says that this program
+// wrote; nothing where it cannot be read.
 Metadata read_texts(const std::filesystem::path& file);
 
 }  // namespace glint

@@ -46,7 +46,7 @@ ComparedPicture read_compared_picture(const std::filesystem::path& file) {
         const bool has_alpha = channels % 2 == 0;
         result.rgba.push_back(has_alpha ? value(i * channels + channels - 1) : 1.0f);
     }
-    if (holds_floats(file) && begins_with_metadata(file)) read_meaning(file, result);
+    if (holds_light(file)) read_meaning(file, result);
     return result;
 }
 

@@ -23,8 +23,8 @@ struct ComparedPicture {
     std::string buffer{};       // the file says that these are its numbers, and no colours
 };
 
-// An EXR holds linear light, as OpenEXR says, unless this program wrote it. Throws
-// std::runtime_error as read_image does.
+// An EXR holds linear light, as OpenEXR says, and so does an HDR, as Radiance does, unless this
+// program wrote it. Throws std::runtime_error as read_image does.
 ComparedPicture read_compared_picture(const std::filesystem::path& file);
 
 // What a file of 8 bits a channel would keep of drawn values; not-a-number stays what it is. Half

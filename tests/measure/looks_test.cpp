@@ -118,6 +118,24 @@ TEST(Looks, LightOfOthersIsNotCutToWhatAPictureOfBytesKeeps) {
     EXPECT_EQ(compared(file("drawn.exr"), file("a.png"))["max"], 0.0);
 }
 
+// Radiance's files hold light. This program keeps what a display shows, and numbers of buffers.
+TEST(Looks, AnHdrIsComparedAsWhatItSaysThatItHolds) {
+    const TestFolder folder;
+    const auto file = [&](const char* name) { return folder.path() / name; };
+    const Image drawn = grey_ramp(ChannelType::f32, 1.0f, false);
+    write_image(file("a.png"), grey_ramp(ChannelType::u8, 1.0f, false));
+    write_image(file("foreign.hdr"), grey_ramp(ChannelType::f32, 1.0f, true));
+    write_image(file("drawn.hdr"), drawn,
+                {{"glint:tweak:" + std::string(200, 'x'), "1"}, {"glint:pass", "image"}});
+    write_image(file("buffer.hdr"), drawn, {{"glint:pass", "waves"}});
+    const double kept = 0.01;  // eight bits of each number
+    for (const char* name : {"foreign.hdr", "drawn.hdr"})
+        EXPECT_LT(compared(file("a.png"), file(name))["max"], kept) << name;
+    EXPECT_TRUE(read_compared_picture(file("foreign.hdr")).is_light);
+    EXPECT_FALSE(read_compared_picture(file("drawn.hdr")).is_light);
+    EXPECT_EQ(read_compared_picture(file("buffer.hdr")).buffer, "waves");
+}
+
 TEST(Heat, GoesFromBlackToWhiteInFourSteps) {
     const std::vector<float> map = {0.0f, 0.5f, 1.0f};
     const std::vector<std::byte> rgb = heat(map);
