@@ -66,6 +66,27 @@ TEST_F(StudyReference, AnotherWayClaimsWhatItsOwnOrderLeaves) {
     }
 }
 
+// The seed is that of a film's grain, which the midpoint rule knows nothing of.
+TEST_F(StudyReference, ASeedOfTheGrainSaysNothingOfTheSteps) {
+    write("s.frag",
+          "uniform int steps; //@ 8 [1, 64] log quality reference=256\n"
+          "uniform float seed; //@ 0 [0, 100]\n"
+          "void mainImage(out vec4 c, in vec2 p) {\n"
+          "    float b = 1.0 + p.x / iResolution.x, sum = 0.0;\n"
+          "    for (int i = 0; i < steps; ++i) sum += exp(b * (float(i) + 0.5) / float(steps));\n"
+          "    float grain = fract(p.x * 0.37 + p.y * 0.71 + seed * 0.23);\n"
+          "    c = vec4(vec3(0.1 * sum / float(steps) + 0.1 * grain), 1);\n"
+          "}\n");
+    const Json told =
+        report_of(glint({"study", "s.frag", "--size", "32x18", "--seconds", "0", "--json"}));
+    EXPECT_EQ(told["second_reference"], "512");
+    EXPECT_LT(told["own_error"].get<double>(), 1e-5);
+    EXPECT_NEAR(told["order"].get<double>(), 2.0, 0.3);
+    EXPECT_NE(told["notes"].dump().find("the seed moves something else than steps"),
+              std::string::npos)
+        << told["notes"];
+}
+
 // llvmpipe ends all loops of a pixel after 65,535 turns, which 256 by 256 are a little more than.
 TEST_F(StudyReference, WhatTheDriverDidNotDrawToItsEndIsNoTruth) {
     const auto told = [&](const char* range, std::vector<std::string> more = {}) {

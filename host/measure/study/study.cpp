@@ -13,7 +13,9 @@
 #include "measure/study/over.h"
 #include "measure/study/page.h"
 #include "measure/study/result.h"
+#include "measure/study/seed.h"
 #include "measure/study/store.h"
+#include "measure/study/study_lines.h"
 #include "offline/common.h"
 #include "offline/named_files.h"
 
@@ -28,36 +30,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Tells on stdout how far the studies of a file have come, for those who do not want to wait.
-class Lines {
-public:
-    explicit Lines(bool wanted) : wanted_(wanted) {}
-
-    void expect(const StudyPlan& plan, bool time_only, std::size_t views) {
-        for (const Knob& knob : plan.knobs) {
-            of_ += knob.values.size() + 1;
-            if (time_only) continue;
-            of_ += 1 + knob.second.has_value() + knob.rival.has_value() +
-                   (knob.rival && knob.rival->second);
-        }
-        of_ *= views;
-    }
-
-    // The study as it stands now. `done`: another picture is drawn, or its times are all taken.
-    void tell(Study study, const Knob& knob, bool on_software, bool done) {
-        done_ += done;
-        if (!wanted_) return;
-        judge(study, knob, on_software);
-        const Json line = {{"done", done_}, {"of", of_}, {"study", to_json(study)}};
-        say_result("{}\n", json_text(line, -1));
-        flush_results();
-    }
-
-private:
-    bool wanted_;
-    std::size_t done_ = 0, of_ = 0;  // pictures, and the times of each knob
-};
-
 // A scene that is studied: what every picture of it shares.
 struct Scenery {
     const StudyOptions& options;
@@ -68,7 +40,7 @@ struct Scenery {
     glm::ivec2 size;  // of what is compared
     std::string name;
     std::string key;  // of all that is the same for its pictures
-    Lines& lines;
+    StudyLines& lines;
 };
 
 void tell(const Scenery& scenery, const Knob& knob, const Study& study, bool done = true) {
@@ -324,64 +296,87 @@ void time_rows(const Scenery& scenery, const Knob& knob, Study& study, Scenes& s
     tell(scenery, knob, study);
 }
 
-// The reference, and what it is measured by; none where only times are wanted.
-std::optional<Reference> draw_references(const Scenery& scenery, Knob& knob, Study& study) {
-    if (study.time_only) return std::nullopt;
-    ReferenceScene shared;
-    std::string cut;  // of what was drawn last
-    const auto draw = [&](const KnobValue& value) {
+// Draws what counts as the truth, one picture after the other.
+struct References {
+    const Scenery& scenery;
+    const Knob& knob;
+    ReferenceScene shared{};
+    std::string cut{};  // of what was drawn last
+
+    Reference draw(const KnobValue& value) {
         Reference drawn = draw_reference(scenery, knob, value, shared);
         cut = drawn.drawn.cut_pass;
         return drawn;
-    };
-    const auto apart = [&](const Reference& a, const Reference& b) {
+    }
+
+    Difference apart(const Reference& a, const Reference& b) const {
         const Values values = values_of(scenery);
         Difference between = difference(a.drawn.rgba, b.drawn.rgba, values);
         between.flip = mean(flip_map(a.drawn.rgba, b.drawn.rgba, scenery.size, {.values = values}));
         return between;
-    };
-    Reference reference = draw(knob.reference);
-    study.reference_picture = reference.file;
-    study.reference_not_finite = pixels_not_finite(reference.drawn.rgba, values_of(scenery));
-    study.reference_size = size_of_values(reference.drawn.rgba, values_of(scenery));
-    study.reference_cut = cut;
-    tell(scenery, knob, study);
+    }
+
     // Beside `truth`; of twice the work where another seed changes nothing.
-    const auto beside = [&](const Reference& truth, std::optional<KnobValue>& second,
-                            const std::optional<KnobValue>& more, SecondWork& work) {
+    Difference beside(const Reference& truth, std::optional<KnobValue>& second,
+                      const std::optional<KnobValue>& more, SecondWork& work) {
         const Difference off = apart(draw(*second), truth);
         if (work.kind != SecondWork::Kind::seed || off.max > 0.0 || !more) return off;
         second = more;
         work = kTwiceTheWork;
         return apart(draw(*second), truth);
-    };
-    if (knob.second) {
-        const Difference off = beside(reference, knob.second, knob.more, knob.second_work);
-        if (study.reference_not_finite == 0) study.reference_error = off;
-        study.second_cut = cut;
-        study.second = knob.second->text;
-        tell(scenery, knob, study);
     }
-    if (!knob.rival) return reference;
-    Rival& named = *knob.rival;
-    const Reference rival = draw(named.value);
-    study.rival = {.value = named.value.text, .difference = apart(rival, reference), .cut = cut};
-    tell(scenery, knob, study);
+};
+
+// Another way to the truth, and what that is off by itself.
+void draw_rival(References& references, const Reference& reference, Rival& named, Study& study) {
+    const Reference rival = references.draw(named.value);
+    study.rival = {.value = named.value.text,
+                   .difference = references.apart(rival, reference),
+                   .cut = references.cut};
     // What it is off by the order that it has itself, which need not be the reference's.
     const auto by_its_own_fall = [&](double last) {
         if (!named.less || named.work.kind == SecondWork::Kind::seed) return 0.0;
-        const Reference least = draw(*named.less), second = draw(*named.second);
+        const Reference least = references.draw(*named.less);
+        const Reference second = references.draw(*named.second);
         const bool is_more = named.work.kind == SecondWork::Kind::more;
         const Reference &middle = is_more ? rival : second, &most = is_more ? second : rival;
-        const double step = apart(least, middle).rmse, far = apart(least, most).rmse;
+        const double step = references.apart(least, middle).rmse;
+        const double far = references.apart(least, most).rmse;
         return own_error(last, {SecondWork::Kind::more, is_more ? 2.0 : 0.5},
                          fall_by_doubling(step, last, far));
     };
-    if (named.second) {
-        const double rmse = beside(rival, named.second, named.more, named.work).rmse;
-        study.rival->own_error = std::max(own_error(rmse, named.work, {}), by_its_own_fall(rmse));
-        tell(scenery, knob, study);
+    if (!named.second) return;
+    const double rmse = references.beside(rival, named.second, named.more, named.work).rmse;
+    study.rival->own_error = std::max(own_error(rmse, named.work, {}), by_its_own_fall(rmse));
+}
+
+// What the reference is measured by.
+void draw_beside(References& references, const Reference& reference, Knob& knob, Study& study) {
+    if (knob.second) {
+        const Difference off =
+            references.beside(reference, knob.second, knob.more, knob.second_work);
+        if (study.reference_not_finite == 0) study.reference_error = off;
+        study.second_cut = references.cut;
+        study.second = knob.second->text;
+        tell(references.scenery, knob, study);
     }
+    if (!knob.rival) return;
+    draw_rival(references, reference, *knob.rival, study);
+    tell(references.scenery, knob, study);
+    if (knob.rival->second) tell(references.scenery, knob, study);
+}
+
+// The reference, and what it is measured by; none where only times are wanted.
+std::optional<Reference> draw_references(const Scenery& scenery, Knob& knob, Study& study) {
+    if (study.time_only) return std::nullopt;
+    References references{.scenery = scenery, .knob = knob};
+    Reference reference = references.draw(knob.reference);
+    study.reference_picture = reference.file;
+    study.reference_not_finite = pixels_not_finite(reference.drawn.rgba, values_of(scenery));
+    study.reference_size = size_of_values(reference.drawn.rgba, values_of(scenery));
+    study.reference_cut = references.cut;
+    tell(scenery, knob, study);
+    draw_beside(references, reference, knob, study);
     return reference;
 }
 
@@ -401,6 +396,11 @@ Study study_knob(const Scenery& scenery, Knob& knob) {
     const std::optional<Reference> reference = draw_references(scenery, knob, study);
     Scenes scenes;
     draw_rows(scenery, knob, reference ? &*reference : nullptr, study, scenes);
+    if (reference && seed_moves_something_else(study, knob)) {
+        measure_by_work(knob);
+        References references{.scenery = scenery, .knob = knob};
+        draw_beside(references, *reference, knob, study);
+    }
     time_rows(scenery, knob, study, scenes);
     judge(study, knob, scenery.context.is_software());
     return study;
@@ -466,7 +466,7 @@ void study_file(const std::filesystem::path& file, const StudyOptions& options, 
     const std::vector<View> views = views_over(preset, options);
     Played played(facts.acts);
     std::vector<Played> played_views(views.size(), played);
-    Lines lines(options.lines);
+    StudyLines lines(options.lines);
     const auto scenery = [&](const Preset& seen, const std::string& name, Played& reached) {
         MeasureOptions how_seen = how;
         how_seen.played = &reached;
@@ -493,6 +493,7 @@ void study_file(const std::filesystem::path& file, const StudyOptions& options, 
             Knob turned = knob_in(views[v], preset, planned);
             seen.push_back(study_knob(scenery(views[v].preset, name, played_views[v]), turned));
             knob.second_work = turned.second_work;
+            knob.notes = turned.notes;
         }
         if (seen.empty()) {
             studies.push_back(study_knob(own, knob));
