@@ -1,11 +1,15 @@
 // A study over several views of one scene, as far as no frame need be drawn.
 #include "../base/test_folder.h"
 #include "measure/study/over.h"
+#include "measure/study/result.h"
+#include "offline/common.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace glint::study_over_test {
 namespace {
@@ -66,6 +70,15 @@ TEST(StudyOver, EveryPictureHasTheLookOfTheView) {
     for (const KnobValue& value : {knob.values[0], knob.reference, *knob.second, *knob.more,
                                    rival.value, *rival.second, *rival.more, *rival.less})
         EXPECT_EQ(value.setting.values[1][0], 0.7);
+}
+
+// A preset that lies at the base's own value of what --reference names, and one that does not.
+TEST(StudyOver, WhatIsNamedCountsInEachViewBeItTheFilesOwn) {
+    Turned turned;
+    turned.knob.reference.named = {1};
+    const Knob knob = knob_in(turned.view, turned.base, turned.knob);
+    EXPECT_EQ(knob.reference.setting.values[1][0], 0.1);
+    EXPECT_EQ(knob.values[0].setting.values[1][0], 0.7);
 }
 
 }  // namespace

@@ -120,6 +120,20 @@ TEST(StudyValues, ThePresetsOwnStandsAmongThemAndIsMarked) {
     EXPECT_EQ(texts(planned.only({.vary = {"a=1,2"}})), (Values{"1", "2"})) << "as it was named";
 }
 
+// In another view it counts, be it this one's own.
+TEST(StudyReference, KnowsWhatIsNamedBesideIt) {
+    const Planned planned(
+        "uniform int a; //@ 2 [1, 4] quality second=b=2\n"
+        "uniform int b; //@ 3 [1, 4]\n");
+    const Knob knob = planned.only({.reference = {"b=3"}});
+    const std::vector<std::size_t> named = {1};
+    EXPECT_EQ(knob.reference.named, named);
+    EXPECT_TRUE(knob.values[0].named.empty());
+    EXPECT_EQ(planned.only({.second = {"b=3", "a=9"}}).second->named, std::vector<std::size_t>());
+    ASSERT_TRUE(planned.only().rival);
+    EXPECT_EQ(planned.only().rival->value.named, named);
+}
+
 TEST(StudyValues, TurnOneKnobAndLeaveAllOthersAsThePresetHasThem) {
     Planned planned(
         "uniform int a; //@ 2 [1, 4] quality\n"

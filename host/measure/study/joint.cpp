@@ -140,7 +140,8 @@ private:
     KnobValue truth(double work, std::optional<std::size_t> only = {}) const {
         KnobValue value{.text = fmt::format("{} of {}", work, only ? name_of(*only) : "all"),
                         .setting = {.values = knobs_.front().reference.setting.values,
-                                    .settle = preset_.settle}};
+                                    .settle = preset_.settle},
+                        .named = knobs_.front().reference.named};
         const auto turns = [&](std::size_t i) { return work < 1.0 && only.value_or(i) == i; };
         for (std::size_t i = 0; i < knobs_.size(); ++i) {
             const Setting& reference = knobs_[i].reference.setting;
@@ -172,6 +173,7 @@ private:
             const std::optional<KnobValue> other = picture(knob);
             if (!other) continue;
             const Setting& from = knob.reference.setting;
+            value.named.insert(value.named.end(), other->named.begin(), other->named.end());
             value.setting.settle = std::max(value.setting.settle, other->setting.settle);
             for (std::size_t i = 0; i < from.values.size(); ++i) {
                 const TweakValue& wanted = other->setting.values[i];

@@ -84,8 +84,9 @@ std::vector<View> times_of(const Preset& preset, const std::string& range) {
 KnobValue value_in(const View& view, const Preset& base, const std::string& knob, KnobValue value) {
     for (std::size_t i = 0; i < value.setting.values.size(); ++i) {
         const Tweak& tweak = base.scene.tweaks[i];
-        const bool turned =
-            tweak.quality || tweak.name == knob || value.setting.values[i] != base.values[i];
+        const bool turned = tweak.quality || tweak.name == knob ||
+                            value.setting.values[i] != base.values[i] ||
+                            std::ranges::count(value.named, i) > 0;
         if (!turned) value.setting.values[i] = view.preset.values[i];
     }
     if (knob != "settle" && value.setting.settle == base.settle)

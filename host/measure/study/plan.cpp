@@ -164,6 +164,7 @@ KnobValue Planner::truth(const Tweak& tweak, const TweakValue& value) const {
         const Tweak* other = find_tweak(preset_.scene, said.name);
         if (!other || other == &tweak || is_studied(said.name)) continue;
         result.setting.values[index(*other)] = parse(*other, said.rest, "--reference");
+        result.named.push_back(index(*other));
         result.text += fmt::format(" with {}={}", said.name, said.rest);
     }
     return result;
@@ -305,7 +306,10 @@ std::optional<KnobValue> Planner::with_work(const Tweak& tweak, const Knob& knob
 
 // The truth with some values turned.
 KnobValue Planner::turned(KnobValue value, const std::vector<Turned>& list) const {
-    for (const Turned& item : list) value.setting.values[item.tweak] = item.value;
+    for (const Turned& item : list) {
+        value.setting.values[item.tweak] = item.value;
+        value.named.push_back(item.tweak);
+    }
     return value;
 }
 
@@ -322,6 +326,7 @@ std::optional<KnobValue> Planner::named_second(const Knob& knob) const {
         } else {
             const Tweak& tweak = *find_tweak(preset_.scene, said.name);
             result.setting.values[index(tweak)] = parse(tweak, said.rest, "--second");
+            result.named.push_back(index(tweak));
         }
         named += fmt::format("{}{}={}", named.empty() ? "" : ", ", said.name, said.rest);
     }

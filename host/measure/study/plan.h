@@ -34,6 +34,9 @@ struct KnobValue {
     // The preset's own value, which is studied as well: it may lie close to a value of the list, so
     // that nothing follows from how alike their pictures are.
     bool is_between = false;
+    // Tweaks that an option or the scene names beside the knob's own, be it with the value that the
+    // preset has.
+    std::vector<std::size_t> named{};
 };
 
 // What the error of a picture that counts as the truth follows from, beside a second one.
