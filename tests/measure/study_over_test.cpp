@@ -81,5 +81,50 @@ TEST(StudyOver, WhatIsNamedCountsInEachViewBeItTheFilesOwn) {
     EXPECT_EQ(knob.values[0].setting.values[1][0], 0.7);
 }
 
+TEST(StudyOver, TheWorstViewIsANumberWhereThereIsOne) {
+    const double none = std::nan("");
+    for (const auto& [errors, worst] :
+         std::vector<std::pair<std::vector<double>, std::string>>{{{none, 0.1, 0.3}, "view 2"},
+                                                                  {{0.1, 0.3, none}, "view 1"},
+                                                                  {{0.3, none, 0.1}, "view 0"},
+                                                                  {{none, none}, "view 0"}}) {
+        std::vector<Study> studies = studies_of(errors);
+        for (Study& study : studies)
+            if (std::isnan(study.rows[0].error->rmse)) study.rows[0].failed = "diverged";
+        const StudyRow row = over_all(views_of(errors.size()), studies).rows[0];
+        EXPECT_EQ(row.worst->view, worst);
+        const auto first = std::ranges::find_if(errors, [](double e) { return std::isnan(e); });
+        EXPECT_EQ(row.failed, fmt::format("view {}: diverged", first - errors.begin()));
+    }
+}
+
+TEST(StudyOver, NamesTheViewWhoseReferenceIsNoTruth) {
+    std::vector<Study> studies = studies_of({0.1, 0.3, 0.2});
+    for (Study& study : studies) study.reference = "64";
+    studies[1].reference_not_finite = 7;
+    Study all = over_all(views_of(3), studies);
+    judge(all, {}, true);
+    ASSERT_FALSE(all.findings.empty());
+    EXPECT_TRUE(all.findings[0].starts_with("the reference, 64 in view 1, is not finite in 7 "))
+        << all.findings[0];
+}
+
+std::vector<std::string> times(const std::string& range) {
+    std::vector<std::string> names;
+    for (const View& view : views_over({}, {.over = "time=" + range})) names.push_back(view.name);
+    return names;
+}
+
+TEST(StudyOver, TimesAreAsShortAsAPersonWritesThem) {
+    EXPECT_EQ(times("0:0.3:0.1"),
+              (std::vector<std::string>{"time 0", "time 0.1", "time 0.2", "time 0.3"}));
+    EXPECT_EQ(times("5:5:1"), (std::vector<std::string>{"time 5"}));
+    EXPECT_EQ(times("0:99:1").size(), 100u);
+    EXPECT_EQ(times("0:9.9:0.1").size(), 100u);
+    for (const char* wrong :
+         {"0:100:1", "0:10:0.1", "0:1:1e-300", "1:0:1", "0:1:0", "0:1", "a:b:c"})
+        EXPECT_THROW(times(wrong), UsageError) << wrong;
+}
+
 }  // namespace
 }  // namespace glint::study_over_test

@@ -76,9 +76,10 @@ TEST(StudyValues, OfABudgetLieHalfwayToTheNextOfThePresetsOwn) {
         "uniform int a; //@ 10 [1, 48] log quality\n"
         "uniform int b; //@ 1 [1, 4] quality\n"
         "uniform float c; //@ 1 [1, 16] log quality\n"
-        "uniform int d; //@ 1 {off, on} quality\n");
+        "uniform int d; //@ 1 {off, on} quality\n"
+        "uniform float e; //@ 0.4 [0, 1] step=0.2 quality\n");
     const StudyPlan plan = planned.plan({.ms_budget = "own"});
-    ASSERT_EQ(plan.knobs.size(), 4u);
+    ASSERT_EQ(plan.knobs.size(), 5u);
     const auto texts = [&](std::size_t knob) {
         Values list;
         for (const KnobValue& value : plan.knobs[knob].values) list.push_back(value.text);
@@ -88,6 +89,7 @@ TEST(StudyValues, OfABudgetLieHalfwayToTheNextOfThePresetsOwn) {
     EXPECT_EQ(texts(1), (Values{"1", "2", "3", "4"})) << "nothing lies between 1 and 2";
     EXPECT_EQ(texts(2), (Values{"1", "1.5", "2", "4", "8", "16"}));
     EXPECT_EQ(texts(3), (Values{"off", "on"}));
+    EXPECT_EQ(texts(4), (Values{"0", "0.2", "0.4", "0.6", "0.8", "1"})) << "where a slider stands";
     EXPECT_EQ(planned.plan().knobs[0].values.size(), 8u) << "no budget, no half steps";
 }
 
@@ -103,6 +105,10 @@ TEST(StudyValues, ARangeIsSpreadByItsKind) {
         {"uniform int a; //@ 1 [1, 4096] quality\n", {"1", "4", "16", "64", "256", "1024", "4096"}},
         {"uniform float a; //@ 0 [0, 1] quality\n", {"0", "0.2", "0.4", "0.6", "0.8", "1"}},
         {"uniform float a; //@ 0.25 [0.25, 1] log quality\n", {"0.25", "0.5", "1"}},
+        {"uniform float a; //@ 0 [0, 1] step=0.25 quality\n", {"0", "0.25", "0.5", "0.75", "1"}},
+        {"uniform float a; //@ 0.1 [0.1, 1] step=0.1 log quality\n",
+         {"0.1", "0.2", "0.4", "0.8", "1"}},
+        {"uniform int a; //@ 1 [1, 31] step=2 quality\n", {"1", "3", "5", "9", "17", "31"}},
         {"uniform bool a; //@ on quality\n", {"off", "on"}},
         {"uniform int a; //@ 0 {off, march, traced} quality\n", {"off", "march", "traced"}},
     };

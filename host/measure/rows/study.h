@@ -90,6 +90,7 @@ struct Study {
     double reference_size = 1.0;
     // A pass of the reference, and of the second one, whose loops the driver ended early; "": none.
     std::string reference_cut{}, second_cut{};
+    std::string broken_view{};  // the first of several whose reference is no truth. Not in JSON
     std::optional<Difference> reference_error{};  // of the second reference to the first
     // RMSE by which the reference claims to be off, which follows from that; 0: not known.
     double own_error = 0.0;

@@ -3,6 +3,7 @@
 #include "base/say.h"
 #include "base/terminal.h"
 #include "base/words.h"
+#include "measure/study/values.h"
 #include "offline/common.h"
 
 #include <fmt/format.h>
@@ -16,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostViews = 100;
+constexpr int kMostViews = 100;
 
 std::vector<fs::path> presets_near(const Preset& preset) {
     std::vector<fs::path> folders = {preset.file.parent_path()};
@@ -67,14 +68,17 @@ std::vector<View> times_of(const Preset& preset, const std::string& range) {
     }
     const bool is_range = numbers.size() == 3 && std::ranges::min(numbers) >= 0.0 &&
                           numbers[2] > 0.0 && numbers[1] >= numbers[0];
-    if (!is_range || (numbers[1] - numbers[0]) / numbers[2] > kMostViews)
+    // The last is not lost to what a division rounds.
+    const double count =
+        is_range ? std::floor((numbers[1] - numbers[0]) / numbers[2] * (1.0 + 1e-9)) + 1.0 : 0.0;
+    if (!is_range || count > kMostViews)
         throw UsageError(fmt::format(
             "--over time={}: write time=A:B:STEP, seconds from A to B, at most {} of them.", range,
             kMostViews));
     std::vector<View> views;
-    for (int i = 0; numbers[0] + i * numbers[2] <= numbers[1] * (1.0 + 1e-9); ++i) {
+    for (int i = 0; i < static_cast<int>(count); ++i) {
         View& view = views.emplace_back(View{.name = {}, .preset = preset});
-        view.preset.time = numbers[0] + i * numbers[2];
+        view.preset.time = to_twelve_digits(numbers[0] + i * numbers[2]);
         view.name = fmt::format("time {}", format_number(view.preset.time));
     }
     return views;
@@ -120,6 +124,13 @@ void add_times(std::vector<double>& sum, const std::vector<double>& times, doubl
     for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += share * times[i];
 }
 
+// Whether a row is farther off than in the worst view so far. Where it is no number in any pixel it
+// is so only if there is no other.
+bool is_worse(double rmse, const std::optional<WorstView>& worst) {
+    if (!worst) return true;
+    return std::isnan(worst->rmse) ? !std::isnan(rmse) : rmse > worst->rmse;
+}
+
 StudyRow row_over(const std::vector<View>& views, const std::vector<Study>& studies,
                   std::size_t index) {
     StudyRow row = studies.front().rows[index];
@@ -143,10 +154,11 @@ StudyRow row_over(const std::vector<View>& views, const std::vector<Study>& stud
         row.apart.resize(std::min(row.apart.size(), one.apart.size()));
         for (std::size_t k = 0; k < row.apart.size(); ++k)
             row.apart[k] = std::hypot(row.apart[k], std::sqrt(share) * one.apart[k]);
-        if (!one.failed.empty()) row.failed = fmt::format("{}: {}", views[v].name, one.failed);
+        if (!one.failed.empty() && row.failed.empty())
+            row.failed = fmt::format("{}: {}", views[v].name, one.failed);
         if (!one.error) continue;
         errors.push_back(&*one.error);
-        if (row.worst && one.error->rmse <= row.worst->rmse) continue;
+        if (!is_worse(one.error->rmse, row.worst)) continue;
         row.worst = {.view = views[v].name, .rmse = one.error->rmse};
         row.picture = one.picture;
         row.map = one.map;
@@ -187,7 +199,9 @@ Study over_all(const std::vector<View>& views, const std::vector<Study>& studies
     std::vector<const Difference*> seconds, rivals;
     double claims = 0.0;
     all.reference_not_finite = 0;
-    for (const Study& study : studies) {
+    for (std::size_t v = 0; v < studies.size(); ++v) {
+        const Study& study = studies[v];
+        if (!study.has_truth() && all.broken_view.empty()) all.broken_view = views[v].name;
         all.look = std::max(all.look, study.look);
         all.reference_not_finite += study.reference_not_finite;
         if (all.reference_cut.empty()) all.reference_cut = study.reference_cut;

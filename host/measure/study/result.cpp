@@ -400,7 +400,7 @@ void find_broken_reference(Study& study) {
     study.converges = false;
     study.findings.push_back(fmt::format(
         "the reference, {}, {}: no error can be told by it; name another with --reference",
-        study.reference,
+        study.broken_view.empty() ? study.reference : study.reference + " in " + study.broken_view,
         study.reference_not_finite > 0 ? not_finite_in(study.reference_not_finite)
                                        : "is " + loops_cut(study.reference_cut)));
 }

@@ -15,13 +15,18 @@ constexpr int kMostValues = 9, kLinearValues = 6;
 constexpr double kWideRange = 16.0;       // of whole numbers: beyond, values double
 constexpr std::size_t kMostListed = 256;  // that dots stand for
 
+// Where the slider can stand.
+double on_step(const Tweak& tweak, double value) {
+    if (tweak.step <= 0.0 || !tweak.min) return value;
+    return to_twelve_digits(*tweak.min +
+                            std::round((value - *tweak.min) / tweak.step) * tweak.step);
+}
+
 // From the least to the most, doubled or evenly.
 std::vector<TweakValue> spread_values(const Tweak& tweak, double least, double most) {
     std::vector<TweakValue> list;
     const auto add = [&](double v) {
-        // Of what the sum leaves beyond twelve digits nobody has asked.
-        const double rounded = parse_number(fmt::format("{:.12g}", v)).value_or(v);
-        const TweakValue value = clamp_to_range(tweak, {rounded});
+        const TweakValue value = clamp_to_range(tweak, {on_step(tweak, to_twelve_digits(v))});
         if (list.empty() || list.back() != value) list.push_back(value);
     };
     const bool whole = tweak.type == TweakType::int1;
@@ -64,6 +69,10 @@ std::vector<std::string> between(const std::vector<std::string>& before, const s
 
 }  // namespace
 
+double to_twelve_digits(double value) {
+    return parse_number(fmt::format("{:.12g}", value)).value_or(value);
+}
+
 bool is_number(const Tweak& tweak) {
     return tweak.names.empty() &&
            (tweak.type == TweakType::float1 || tweak.type == TweakType::int1);
@@ -89,7 +98,7 @@ std::vector<TweakValue> with_half_steps(const Tweak& tweak, std::vector<TweakVal
     }
     for (const double next : {below, above}) {
         if (!std::isfinite(next)) continue;
-        const double half = 0.5 * (own + next);
+        const double half = on_step(tweak, 0.5 * (own + next));
         list.push_back({tweak.type == TweakType::int1 ? std::floor(half) : half});
     }
     std::ranges::sort(list, {}, [](const TweakValue& value) { return value[0]; });

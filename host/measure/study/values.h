@@ -8,6 +8,9 @@
 
 namespace glint {
 
+// What a sum or a product leaves beyond these nobody has asked for.
+double to_twelve_digits(double value);
+
 bool is_number(const Tweak& tweak);  // one, and no menu
 
 // All values that a study takes when nobody names any; none when the range is not known.
