@@ -69,7 +69,12 @@ TEST(Looks, TwoFilesAreComparedUnlessTheirTweaksAreAskedFor) {
     EXPECT_FALSE(with([](StudyOptions& o) { o.reference = {"steps=4"}; }));
     EXPECT_FALSE(with([](StudyOptions& o) { o.second = {"steps=4"}; }));
     EXPECT_FALSE(with([](StudyOptions& o) { o.time_only = true; }));
-    EXPECT_FALSE(with([](StudyOptions& o) { o.pass = "waves"; }));
+    // It names no tweaks: two files were studied, and nobody had asked for that.
+    EXPECT_THROW(with([](StudyOptions& o) { o.pass = "waves"; }), UsageError);
+    EXPECT_FALSE(with([](StudyOptions& o) {
+        o.pass = "waves";
+        o.each = true;
+    }));
 }
 
 TEST(Looks, APictureIsOneOfTwo) {

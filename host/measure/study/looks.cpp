@@ -171,16 +171,21 @@ void draw(const std::array<Look, 2>& looks, const StudyOptions& options, Compari
 bool compares_looks(const StudyOptions& options) {
     const bool two = options.files.size() == 2;
     const bool names_knobs = !options.vary.empty() || !options.reference.empty() ||
-                             !options.second.empty() || options.time_only ||
-                             options.pass != "image" || options.each || limit_of(options) ||
-                             !options.over.empty();
+                             !options.second.empty() || options.time_only || options.each ||
+                             limit_of(options) || !options.over.empty();
     if (std::ranges::any_of(options.files, is_picture_file)) {
-        if (!two || names_knobs)
+        if (!two || names_knobs || options.pass != "image")
             throw UsageError(
                 "A picture has no tweaks to study; compare it with one other look: "
                 "glint study A B.");
         return true;
     }
+    if (two && !names_knobs && options.pass != "image")
+        throw UsageError(fmt::format(
+            "--pass {0}: of two looks the pictures are compared. Write the buffer of each with "
+            "glint still FILE --pass {0} -o FILE.exr and compare these, or study the tweaks of "
+            "both, by that buffer, with --each.",
+            options.pass));
     return two && !names_knobs;
 }
 
