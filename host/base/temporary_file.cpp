@@ -17,6 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kBufferBytes = 1 << 18;
+constexpr int kTries = 100;  // of names that others may have left, whose process had our number
 
 std::string cause_of(int error) {
     return std::generic_category().message(error);
@@ -102,9 +103,10 @@ TemporaryFile::TemporaryFile(const fs::path& target) : named_(target), target_(t
     if (::access("/proc/self/fd", X_OK) == 0) {
         descriptor_ = ::open(folder.c_str(), O_RDWR | O_TMPFILE | O_CLOEXEC, 0666);
     }
-    if (descriptor_ < 0) {
+    for (int tries = 0; descriptor_ < 0 && tries < kTries; ++tries) {
         temporary_ = name_beside(target_);
         descriptor_ = ::open(temporary_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        if (descriptor_ < 0 && errno != EEXIST) break;
     }
     if (descriptor_ < 0) {
         const int refusal = errno;
@@ -153,18 +155,23 @@ void TemporaryFile::fail(int error) noexcept {
 // first.
 void TemporaryFile::give_name() {
     const std::string open_file = fmt::format("/proc/self/fd/{}", descriptor_);
-    for (const fs::path& name : {target_, name_beside(target_)}) {
+    fs::path name = target_;
+    for (int tries = 0; tries < kTries; ++tries, name = name_beside(target_)) {
         if (::linkat(AT_FDCWD, open_file.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0) {
             temporary_ = name;
             return;
         }
+        if (errno != EEXIST && tries > 0) break;
     }
     fail(errno);
 }
 
-void TemporaryFile::commit() {
+void TemporaryFile::commit(Haste haste) {
     write_out(buffer_);
     buffer_.clear();
+    // Else a name may reach the disk before what it names, in place of what was there.
+    if (error_ == 0 && haste == Haste::no && ::fdatasync(descriptor_) != 0 && errno != EINVAL)
+        fail(errno);
     if (error_ == 0 && temporary_.empty()) give_name();
     if (::close(descriptor_) != 0) fail(errno);  // a network's file system reports here
     descriptor_ = -1;
@@ -176,10 +183,10 @@ void TemporaryFile::commit() {
     temporary_.clear();
 }
 
-void write_whole_file(const fs::path& file, std::span<const std::byte> bytes) {
+void write_whole_file(const fs::path& file, std::span<const std::byte> bytes, Haste haste) {
     TemporaryFile out(file);
     out.append(bytes);
-    out.commit();
+    out.commit(haste);
 }
 
 }  // namespace glint

@@ -34,6 +34,9 @@ std::runtime_error cannot_read(const std::filesystem::path& file, std::string_vi
 // The same of one that a library does not understand; `words` are its own, and may be none.
 std::runtime_error cannot_decode(const std::filesystem::path& file, std::string words);
 
+// `no`: what is written stays though the power fails, which takes the disk's time, 10 ms and more.
+enum class Haste { yes, no };
+
 // Until commit() the target stays as it was; without commit() nothing stays behind.
 class TemporaryFile {
 public:
@@ -56,7 +59,7 @@ public:
     void fail(int error) noexcept;
 
     // Gives the file its name. Throws std::runtime_error when any byte did not reach it.
-    void commit();
+    void commit(Haste haste = Haste::yes);
 
 private:
     void write_out(std::span<const std::byte> bytes) noexcept;
@@ -71,6 +74,7 @@ private:
 };
 
 // Replaces `file` by `bytes` through a temporary file beside it. Throws cannot_write().
-void write_whole_file(const std::filesystem::path& file, std::span<const std::byte> bytes);
+void write_whole_file(const std::filesystem::path& file, std::span<const std::byte> bytes,
+                      Haste haste = Haste::yes);
 
 }  // namespace glint

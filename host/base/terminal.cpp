@@ -28,7 +28,9 @@ const char* colour_of(Severity severity) {
 std::string coloured(const Diagnostic& diagnostic) {
     const std::string plain = to_string(diagnostic);
     const std::string_view word = diagnostic.severity == Severity::error ? "error:" : "warning:";
-    const std::size_t at = plain.size() - diagnostic.text.size() - word.size() - 1;
+    // Of what stands there, which need not be as long as what was said.
+    const std::size_t text = harmless(diagnostic.text, '?', "\n\t").size();
+    const std::size_t at = plain.size() - text - word.size() - 1;
     return fmt::format("{}{}{}{}{}{}{}", kBold, plain.substr(0, at), kPlain,
                        colour_of(diagnostic.severity), word, kPlain,
                        plain.substr(at + word.size()));

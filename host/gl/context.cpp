@@ -52,7 +52,14 @@ void start_context() {
 }
 
 std::string take_complaint() {
-    return std::exchange(first_complaint, {});
+    constexpr int kMost = 16;  // errors; a context that is lost may never run out of them
+    std::string first = std::exchange(first_complaint, {});
+    // A driver need not call back in a context that is not for debugging.
+    GLenum code = glGetError();
+    for (int i = 0; i < kMost && code != GL_NO_ERROR; ++i, code = glGetError())
+        if (first.empty())
+            first = code == GL_OUT_OF_MEMORY ? "GL_OUT_OF_MEMORY" : fmt::format("{:#x}", code);
+    return first;
 }
 
 // An option of Mesa's, which the environment overrides, and which Mesa tells on stderr unless

@@ -92,6 +92,9 @@ std::optional<std::string_view> said_by(const Reading& reading, const Places& pl
     if (!reading.functions_named(name).empty()) return parameter_type(reading, name, index);
     const auto arguments = reading.arguments_of(call);
     if (index != 0 || arguments.size() < 2) return std::nullopt;
+    if (name.starts_with("texture2D")) return "sampler2D";  // of older GLSL
+    if (name.starts_with("texture3D")) return "sampler3D";
+    if (name.starts_with("textureCube")) return "samplerCube";
     const std::size_t count = places.components(arguments[1], call.function);
     if (name == "texelFetch" || name == "texelFetchOffset")
         return count == 0 ? std::nullopt : std::optional(count == 3 ? "sampler3D" : "sampler2D");

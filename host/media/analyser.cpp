@@ -72,10 +72,12 @@ const Analyser::Magnitudes& Analyser::magnitudes(long block) {
 
 std::span<const std::byte> Analyser::rows_at(double time) {
     time = std::max(time, 0.0);
-    // The tolerance forgives times such as 7/60 s, which lie a rounding below a whole block.
-    const auto block =
-        static_cast<long>(std::floor(std::fmod(time, seconds()) * kBlockRate + 1e-6));
-    const auto rounds = static_cast<long>(std::floor(time / seconds()));
+    // The tolerances forgive times such as 7/60 s, which lie a rounding below a whole block, and
+    // 0.3 s, a rounding below three rounds of 0.1 s.
+    const double rounded = std::floor(time / seconds() + 1e-9);
+    const double into = std::max(time - rounded * seconds(), 0.0);
+    const auto rounds = static_cast<long>(rounded);
+    const auto block = static_cast<long>(std::floor(into * kBlockRate + 1e-6));
     return rows_of(rounds * round() + std::min(block, round() - 1));
 }
 

@@ -148,6 +148,29 @@ void Buffer::copy_from(const Buffer& other) {
     ++version_;
 }
 
+namespace {
+
+// All of a texture, in parts whose bytes a GLsizei counts.
+void read_texture(const Texture& texture, const BufferShape& shape, std::byte* to) {
+    constexpr std::size_t kLargestPart = 1u << 30;
+    const int faces = shape.cube ? 6 : 1;
+    const std::size_t row = texture_bytes(shape) / static_cast<std::size_t>(faces) /
+                            static_cast<std::size_t>(shape.size.y);
+    const int rows = std::max(static_cast<int>(kLargestPart / row), 1);
+    for (int face = 0; face < faces; ++face) {
+        for (int y = 0; y < shape.size.y; y += rows) {
+            const int height = std::min(rows, shape.size.y - y);
+            const std::size_t part = row * static_cast<std::size_t>(height);
+            glGetTextureSubImage(texture.id(), 0, 0, y, face, shape.size.x, height, 1,
+                                 gl_channels(shape.format), gl_type(shape.format),
+                                 static_cast<GLsizei>(part), to);
+            to += part;
+        }
+    }
+}
+
+}  // namespace
+
 std::vector<std::byte> Buffer::bytes() const {
     std::vector<std::byte> all(byte_count());
     const std::size_t one = texture_bytes(shape_);
@@ -156,8 +179,7 @@ std::vector<std::byte> Buffer::bytes() const {
     for (const std::size_t side : {front_, back()}) {
         if (to == all.data() + all.size()) break;  // single: front and back are the same
         for (const Texture& texture : sides_[side].textures) {
-            glGetTextureImage(texture.id(), 0, gl_channels(shape_.format), gl_type(shape_.format),
-                              static_cast<GLsizei>(one), to);
+            read_texture(texture, shape_, to);
             to += one;
         }
     }

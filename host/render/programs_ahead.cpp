@@ -96,6 +96,7 @@ void ProgramsAhead::link(std::size_t pass) {
     if (give_up_) watch.emplace(give_up_, preset_, pass);
     LinkedProgram linked = make_pass_program(source.text);
     watch.reset();
+    glFinish();  // before another context takes it (GL 4.5, 5.3)
     const std::lock_guard lock(mutex_);
     Pass& one = passes_[pass];
     if (linked.program && linked.log.empty())

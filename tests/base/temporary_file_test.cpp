@@ -3,6 +3,7 @@
 
 #include "test_folder.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/inotify.h>
 #include <unistd.h>
@@ -106,6 +107,17 @@ TEST(TemporaryFile, AFileThatCameMeanwhileIsReplaced) {
     slow.commit();
     EXPECT_EQ(read(file), "slow");
     EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 1);
+}
+
+// Left by processes that were killed and had our number, as in containers.
+TEST(TemporaryFile, NamesThatOthersLeftArePassedOver) {
+    const TestFolder folder;
+    const fs::path file = folder.path() / "a.png";
+    write_whole(file, "old");
+    for (int serial = 0; serial < 60; ++serial)
+        std::ofstream(folder.path() / fmt::format(".a.png.{}-{}.tmp", ::getpid(), serial));
+    write_whole(file, "new");
+    EXPECT_EQ(read(file), "new");
 }
 
 }  // namespace

@@ -35,6 +35,12 @@ TEST(SamplerUse, WholeTexelsInThreeDirectionsAreAVolume) {
     EXPECT_EQ(used_in("c = texelFetch(iChannel0, ivec2(p), 0);"), "");
 }
 
+TEST(SamplerUse, FunctionsOfOlderGlslSayItByTheirNames) {
+    EXPECT_EQ(used_in("c = textureCube(iChannel0, f(p));"), "samplerCube");
+    EXPECT_EQ(used_in("c = texture3D(iChannel0, rd);"), "sampler3D");
+    EXPECT_EQ(used_in("c = texture2D(iChannel0, f(rd)) + texture(iChannel0, rd);"), "");
+}
+
 TEST(SamplerUse, AParameterSaysIt) {
     const std::string cube = "vec4 f(float k, samplerCube s, vec3 d) { return texture(s, d); }\n",
                       volume =

@@ -123,5 +123,16 @@ TEST(Analyser, ARoundIsLikeTheNextOneOnceItHasSettled) {
     EXPECT_EQ(rows(analyser, 0.7123 + 1e-9), rows(analyser, 0.7123 + 1.0 / 60.0 - 1e-5));
 }
 
+// A time and the length of a sound are rounded apart.
+TEST(Analyser, EachRoundOfATenthOfASecondIsTheSame) {
+    Sound sound = tone(500.0, 0.3, 0.1);
+    for (std::size_t i = 0; i < 2 * 2600; ++i)
+        sound.samples[i] = 0;  // its end is another than its start
+    Analyser analyser(sound);
+    const std::vector<int> settled = rows(analyser, 10.0);
+    for (int round = 101; round < 160; ++round)
+        EXPECT_EQ(rows(analyser, round * 6 / 60.0), settled) << round;
+}
+
 }  // namespace
 }  // namespace glint::analyser_test

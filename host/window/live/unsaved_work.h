@@ -1,5 +1,5 @@
-// What a person has not saved, kept in the state folder from the moment it changes: a crash, or the
-// power, takes nothing of it.
+// What a person has not saved, kept in the state folder from the moment it changes: a crash takes
+// nothing of it.
 #pragma once
 
 #include <array>

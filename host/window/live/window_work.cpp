@@ -383,7 +383,7 @@ bool PlaygroundWindow::write_look(const Preset& preset, const fs::path& file) {
         return false;
     }
     try {
-        write_whole_file(file, std::as_bytes(std::span(*text.text)));
+        write_whole_file(file, std::as_bytes(std::span(*text.text)), Haste::no);
     } catch (const std::runtime_error& error) {
         notice(error.what());
         settings_.save_as = true;  // some other place will take it
