@@ -1,10 +1,13 @@
 #include "glsl/hidden_zero.h"
 
 #include "glsl/operands.h"
+#include "glsl/variables.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
+#include <set>
 #include <string>
 #include <unordered_map>
 #include <unordered_set>
@@ -24,7 +27,9 @@ constexpr std::uint32_t kLongest = 64;  // tokens of a divisor or a zero that ar
 
 class ZeroHider {
 public:
-    ZeroHider(const Reading& reading, Edits& edits) : reading_(reading), edits_(edits) {
+    ZeroHider(const Reading& reading, const std::unordered_set<std::string_view>& zero_uniforms,
+              Edits& edits)
+        : reading_(reading), zero_uniforms_(zero_uniforms), edits_(edits) {
         find_divisors();
     }
 
@@ -38,6 +43,7 @@ public:
             if (divisors_.contains(index)) hide_assigned(index, at);
         });
         for (const Call& call : reading_.calls) hide_arguments(call);
+        for (const std::uint32_t at : hidden_) hide_uniform(at);
     }
 
 private:
@@ -84,12 +90,62 @@ private:
     }
 
     // What is added to is no zero for long.
+    bool is_sum(TokenRange range) const {
+        return std::any_of(reading_.tokens.begin() + range.begin,
+                           reading_.tokens.begin() + range.end,
+                           [](const Token& token) { return token.is("+") || token.is("-"); });
+    }
+
     void add_divisors(std::uint32_t function, TokenRange divisor) {
-        const auto& tokens = reading_.tokens;
+        if (is_sum(divisor)) return;
         for (std::uint32_t at = divisor.begin; at < divisor.end; ++at)
-            if (tokens[at].is("+") || tokens[at].is("-")) return;
-        for (std::uint32_t at = divisor.begin; at < divisor.end; ++at)
-            if (is_name(at)) divisors_[function].emplace(tokens[at].text, NumberKind::other);
+            if (is_name(at))
+                divisors_[function].emplace(reading_.tokens[at].text, NumberKind::other);
+        if (!is_mended(divisor)) find_uniforms(function, divisor);
+    }
+
+    // `w / softness`, of a float.
+    bool is_mended(TokenRange divisor) const {
+        const TokenRange alone = without_parentheses(reading_, divisor);
+        const Declaration* global =
+            alone.size() == 1 ? reading_.find_global(reading_.word(alone.begin)) : nullptr;
+        return global && reading_.word(global->type) == "float";
+    }
+
+    // Of a value that divides: the uniforms in it, and what its variables are made of.
+    void find_uniforms(std::uint32_t function, TokenRange value, int depth = 0) {
+        constexpr int kLongestChain = 64;
+        if (zero_uniforms_.empty() || depth > kLongestChain || is_sum(value)) return;
+        for (std::uint32_t at = value.begin; at < value.end; ++at) {
+            if (!is_name(at) || !hidden_.insert(at).second) continue;
+            if (const TokenRange initial = initial_of(function, at); !initial.empty())
+                find_uniforms(function, initial, depth + 1);
+        }
+    }
+
+    // Of the local that this name means.
+    TokenRange initial_of(std::uint32_t function, std::uint32_t name) {
+        if (!variables_) variables_.emplace(reading_);
+        const auto found = variables_->find(name, function);
+        const bool is_local = found.declaration && found.declaration->scope == Scope::local;
+        return is_local && !found.declaration->is_const ? found.name->initial : TokenRange{};
+    }
+
+    void hide_uniform(std::uint32_t at) {
+        const std::string_view name = reading_.word(at);
+        if (!zero_uniforms_.contains(name)) return;
+        if (!variables_) variables_.emplace(reading_);
+        const auto& functions = reading_.functions;
+        const auto function = std::ranges::find_if(functions, [&](const Function& one) {
+            return one.body.begin < at && at < one.body.end;
+        });
+        if (function == functions.end()) return;  // a constant's value knows no uniform
+        const auto index = static_cast<std::uint32_t>(function - functions.begin());
+        const auto found = variables_->find(at, index);
+        const bool is_uniform = found.declaration && found.declaration->is_uniform;
+        if (!is_uniform || !edits_.takes_before(at) || !edits_.takes_after(at)) return;
+        edits_.before(at, "(");
+        edits_.after(at, fmt::format("+{})", kHiddenZero));
     }
 
     NumberKind* find(std::uint32_t function, std::uint32_t name) {
@@ -136,6 +192,8 @@ private:
                 add_behind(one.tokens.end - 1, kind);
             else if (is_zero(one.initial))
                 add_behind(one.initial.end - 1, kind);
+            else
+                find_uniforms(declaration.owner, one.initial);
         }
     }
 
@@ -146,7 +204,11 @@ private:
         const auto count = static_cast<std::uint32_t>(reading_.tokens.size());
         const std::uint32_t stop = std::min(count, at + 1 + kLongest);
         const TokenRange value = {at + 1, expression_end(reading_, at + 1, stop)};
-        if (value.end < stop && is_zero(value)) add_behind(value.end - 1, kind);
+        if (value.end >= stop) return;
+        if (is_zero(value))
+            add_behind(value.end - 1, kind);
+        else
+            find_uniforms(function, value);
     }
 
     bool is_declared(std::uint32_t name) {
@@ -160,9 +222,14 @@ private:
         if (call.function == kNone) return;  // a constant's value knows no uniform
         const std::vector<TokenRange> arguments = reading_.arguments_of(call);
         for (std::size_t i = 0; i < arguments.size(); ++i) {
-            if (!is_zero(arguments[i])) continue;
+            const bool is_written = is_zero(arguments[i]);
+            if (!is_written && zero_uniforms_.empty()) continue;
             const NumberKind kind = parameter_kind(call, i);
-            if (kind != NumberKind::other) add_behind(arguments[i].end - 1, kind);
+            if (kind == NumberKind::other) continue;
+            if (is_written)
+                add_behind(arguments[i].end - 1, kind);
+            else
+                find_uniforms(call.function, arguments[i]);
         }
     }
 
@@ -184,7 +251,10 @@ private:
     }
 
     const Reading& reading_;
+    const std::unordered_set<std::string_view>& zero_uniforms_;
     Edits& edits_;
+    std::optional<Variables> variables_;  // where anything asks for them
+    std::set<std::uint32_t> hidden_;      // names in what divides
     std::unordered_map<std::uint32_t, std::unordered_map<std::string_view, NumberKind>> divisors_;
     std::unordered_set<std::size_t> unset_;
     std::unordered_set<std::uint32_t> declared_;
@@ -192,8 +262,9 @@ private:
 
 }  // namespace
 
-void hide_zeros(const Reading& reading, const std::vector<Unset>& unset, Edits& edits) {
-    if (reading.is_balanced) ZeroHider(reading, edits).hide(unset);
+void hide_zeros(const Reading& reading, const std::vector<Unset>& unset,
+                const std::unordered_set<std::string_view>& zero_uniforms, Edits& edits) {
+    if (reading.is_balanced) ZeroHider(reading, zero_uniforms, edits).hide(unset);
 }
 
 }  // namespace glint

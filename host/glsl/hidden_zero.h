@@ -4,6 +4,10 @@
 #include "glsl/edits.h"
 #include "glsl/zeros.h"
 
+#include <string_view>
+#include <unordered_set>
+#include <vector>
+
 namespace glint {
 
 // A float that the compiler cannot know to be 0; with `_i` behind it, an int.
@@ -15,7 +19,12 @@ inline constexpr std::string_view kHiddenZero = "glint_zero";
 // `z = 0.0 + glint_zero`, and so does an argument. What a divisor adds to is no zero for long:
 // `w / (z + 1.0)` is left alone.
 //
-// Not constants: mend_division_by_zero() sees to them.
-void hide_zeros(const Reading& reading, const std::vector<Unset>& unset, Edits& edits);
+// So is what is made of a uniform that becomes a constant with a 0 in it, one of `zero_uniforms`,
+// and divides: `w / (softness * 0.1)` becomes `w / ((softness+glint_zero) * 0.1)`, and so do values
+// of variables and arguments that divide, and of what these are made of.
+//
+// Not constants that divide by themselves: mend_division_by_zero() sees to them.
+void hide_zeros(const Reading& reading, const std::vector<Unset>& unset,
+                const std::unordered_set<std::string_view>& zero_uniforms, Edits& edits);
 
 }  // namespace glint

@@ -46,16 +46,20 @@ private:
 
     // Values of constants and globals, lengths of arrays, labels.
     void find_constants() {
+        std::unordered_set<std::string_view> variables;
         for (const Declaration& declaration : reading_.declarations) {
             mark(declaration.qualifiers);
             mark(declaration.type_array);
             for (const Declarator& one : declaration.names) {
-                if (declaration.is_const && declaration.scope != Scope::parameter)
-                    constants_.insert(reading_.word(one.name));
+                const bool is_constant =
+                    declaration.is_const && declaration.scope != Scope::parameter;
+                (is_constant ? constants_ : variables).insert(reading_.word(one.name));
                 mark(one.array);
                 if (declaration.is_const || declaration.scope == Scope::global) mark(one.initial);
             }
         }
+        // One that is called like a constant of another function.
+        std::erase_if(constants_, [&](std::string_view name) { return variables.contains(name); });
         for (const Function& function : reading_.functions) mark(function.type_array);
         for (const Statement& statement : reading_.statements)
             if (statement.kind == StatementKind::case_) mark(statement.tokens);
@@ -78,9 +82,11 @@ private:
     bool is_known(TokenRange range) const {
         for (std::uint32_t at = range.begin; at < range.end; ++at) {
             const Token& one = token(at);
-            const bool is_type = one.text.starts_with("int") || one.text.starts_with("uint") ||
-                                 one.text.starts_with("ivec") || one.text.starts_with("uvec");
-            if (one.is_word() && !is_type && !constants_.contains(one.text)) return false;
+            static constexpr std::array<std::string_view, 8> kWholeTypes = {
+                "int", "ivec2", "ivec3", "ivec4", "uint", "uvec2", "uvec3", "uvec4"};
+            if (one.is_word() && !is_one_of(one.text, kWholeTypes) &&
+                !constants_.contains(one.text))
+                return false;
         }
         return true;
     }

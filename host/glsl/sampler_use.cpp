@@ -3,6 +3,7 @@
 #include "glsl/finding.h"
 #include "glsl/operand_type.h"
 #include "glsl/operands.h"
+#include "glsl/probe_types.h"
 
 #include <algorithm>
 #include <array>
@@ -21,7 +22,8 @@ class Places {
 public:
     explicit Places(const Reading& reading) : reading_(reading), variables_(reading) {}
 
-    // The components of what an expression gives: 2 to 4, or 0 where that is not known.
+    // The components of what an expression gives: 2 to 4, or 0 where that is not known, as where a
+    // matrix of another number of rows than columns may make fewer of them.
     std::size_t components(TokenRange range, std::uint32_t function, int depth = 0) const {
         constexpr int kDeepest = 16;
         if (depth > kDeepest) return 0;
@@ -32,6 +34,7 @@ public:
                 ++at;  // an operator
                 continue;
             }
+            if (changes_length({at, end}, function)) return 0;
             most = std::max(most, of_operand({at, end}, function, depth));
             at = end;
         }
@@ -39,6 +42,12 @@ public:
     }
 
 private:
+    // `mat3x2`, which makes two components of three.
+    bool changes_length(TokenRange operand, std::uint32_t function) const {
+        const auto type = type_of_operand(reading_, variables_, operand, function);
+        return type && matrix_columns(type->name) != matrix_rows(type->name);
+    }
+
     std::size_t of_operand(TokenRange operand, std::uint32_t function, int depth) const {
         while (!operand.empty() && (is(operand.begin, "-") || is(operand.begin, "+")))
             ++operand.begin;

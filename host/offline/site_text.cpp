@@ -51,7 +51,9 @@ EditedText without_own_uniforms(const Reading& reading) {
     for (const Declaration& declaration : reading.declarations) {
         const std::string_view type = reading.word(declaration.type);
         if (declaration.is_uniform && declaration.is_block) open_block(reading, declaration, edits);
-        if (!declaration.is_uniform || declaration.is_block || type.starts_with("sampler"))
+        const bool has_names = !declaration.names.empty();  // else it is `layout(std140) uniform;`
+        if (!declaration.is_uniform || declaration.is_block || !has_names ||
+            type.starts_with("sampler"))
             continue;
         const TokenRange words = declaration.qualifiers;
         for (std::uint32_t at = words.begin; at < words.end; ++at)

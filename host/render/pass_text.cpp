@@ -362,15 +362,22 @@ void name_tweaks(const Scene& scene, Edits& edits) {
     }
 }
 
-// Those of specialise() that become a 0.
+// Those of specialise() that become a 0, or a vector with one. Of -0.0 the driver makes -inf
+// itself.
 std::unordered_set<std::string_view> zero_tweaks(const Preset& preset,
-                                                 const ProgramOptions& options) {
+                                                 const ProgramOptions& options, bool vectors) {
     std::unordered_set<std::string_view> names;
     for (std::size_t i = 0; i < preset.scene.tweaks.size(); ++i) {
         const Tweak& tweak = preset.scene.tweaks[i];
-        if (is_constant(options, i) && tweak.type == TweakType::float1 &&
-            static_cast<float>(preset.values[i][0]) == 0.0f)
-            names.insert(tweak.name);
+        const bool is_vector = std::string_view(glsl_name(tweak.type)).starts_with("vec");
+        if (!is_constant(options, i) ||
+            !(tweak.type == TweakType::float1 || (vectors && is_vector)))
+            continue;
+        const auto end = preset.values[i].begin() + component_count(tweak.type);
+        const auto is_zero = [](double value) {
+            return static_cast<float>(value) == 0.0f && !std::signbit(value);
+        };
+        if (std::any_of(preset.values[i].begin(), end, is_zero)) names.insert(tweak.name);
     }
     return names;
 }
@@ -433,9 +440,9 @@ std::string numbers_uniform(const std::vector<float>& numbers) {
 void mend_divisions(const Preset& preset, const ProgramOptions& options, const ProbeWish* probe,
                     const Reading& reading, Edits& edits) {
     if (probe && probe->kind == ProbeKind::faults)
-        hide_named_zeros(reading, zero_tweaks(preset, options), edits);
+        hide_named_zeros(reading, zero_tweaks(preset, options, false), edits);
     else
-        mend_division_by_zero(reading, zero_tweaks(preset, options), edits);
+        mend_division_by_zero(reading, zero_tweaks(preset, options, false), edits);
     if (options.named) name_divisions(reading, float_tweaks(preset.scene), edits);
 }
 
@@ -547,7 +554,7 @@ PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions&
     if (is_lean) leave_out_constants(reading, unused, edits);
     if (options.feed) result.numbers = feed_numbers(reading, reached, kNumbers, is_lean, edits);
     result.unset = write_zeros(reading, edits, entry, options.marked);
-    hide_zeros(reading, result.unset, edits);
+    hide_zeros(reading, result.unset, zero_tweaks(preset, options, true), edits);
     mend_stored_indices(reading, edits);
     if (probe)
         result.probed = instrument(reading, *probe, entry_of(scene, pass), edits, remainders,

@@ -388,7 +388,9 @@ void Writer::write_tab(const ShadertoyTab& tab) {
         text_ += '\n' + code;
         return;
     }
-    text_ += fmt::format("\n#ifdef PASS_{}\n{}#endif  // {}\n", tab.name, code, tab.name);
+    // A backslash joins the next line to a comment's.
+    const char* const gap = code.ends_with("\\\n") ? "\n" : "";
+    text_ += fmt::format("\n#ifdef PASS_{}\n{}{}#endif  // {}\n", tab.name, code, gap, tab.name);
 }
 
 }  // namespace

@@ -1,5 +1,8 @@
 #include "scene/toml_value.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 
 namespace glint {
@@ -35,6 +38,9 @@ std::optional<TweakValue> tweak_value(const Tweak& tweak, const toml::node& node
     }
     const auto one = any_number(node);
     if (!one || std::isnan(*one)) return std::nullopt;
+    // A menu of numbers means its names, as everywhere.
+    const std::string name = fmt::format("{}", *one);
+    if (std::ranges::find(tweak.names, name) != tweak.names.end()) return parse_value(tweak, name);
     if (tweak.type == TweakType::int1 && std::isfinite(*one) && *one != std::floor(*one))
         return std::nullopt;
     return TweakValue{*one};

@@ -70,7 +70,7 @@ void read_text(std::string_view raw) {
         without_comments(lean.apply().text);
         hide_zeros(reading,
                    write_zeros(reading, edits, "mainImage", Span{text.size() / 2, text.size()}),
-                   edits);
+                   {"a", "size"}, edits);
         for (const Declaration& declaration : reading.declarations)
             for (const Declarator& one : declaration.names) edits.after(one.tokens.end - 1, "/**/");
         for (const Statement& statement : reading.statements)

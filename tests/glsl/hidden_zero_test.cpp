@@ -12,7 +12,7 @@ namespace {
 std::string hidden(std::string_view text) {
     const Reading reading = read_glsl(text, {});
     Edits edits(reading);
-    hide_zeros(reading, write_zeros(reading, edits), edits);
+    hide_zeros(reading, write_zeros(reading, edits), {}, edits);
     return edits.apply().text;
 }
 
@@ -30,6 +30,31 @@ TEST(HiddenZero, IsAddedWhereAVariableThatDividesIsGivenZero) {
               "void f() { for (int i = 0 + glint_zero_i; i < 4; i++) a += w / float(i); }");
     EXPECT_EQ(hidden("void f() { vec2 z = vec2(0.0); a = w / length(z * 2.0).x; }"),
               "void f() { vec2 z = vec2(0.0) + glint_zero; a = w / length(z * 2.0).x; }");
+}
+
+// Of uniforms that become constants of 0.
+TEST(HiddenZero, IsAddedToUniformsInWhatDivides) {
+    const auto with_zeros = [](const std::string& body) {
+        const std::string head =
+            "uniform float z; uniform vec2 v; float par(float p, float d) { return p / d; }\n";
+        const std::string text = head + "void f() { " + body + " }";
+        const Reading reading = read_glsl(text, {});
+        Edits edits(reading);
+        hide_zeros(reading, {}, {"z", "v"}, edits);
+        return edits.apply().text.substr(head.size() + 11);
+    };
+    EXPECT_EQ(with_zeros("a = w / (z * 0.1);"), "a = w / ((z+glint_zero) * 0.1); }");
+    EXPECT_EQ(with_zeros("a = w / v.x + w / v;"),
+              "a = w / (v+glint_zero).x + w / (v+glint_zero); }");
+    EXPECT_EQ(with_zeros("a = w / max(z, 0.0);"), "a = w / max((z+glint_zero), 0.0); }");
+    EXPECT_EQ(with_zeros("float l = z * 2.0, m = l; a = w / m;"),
+              "float l = (z+glint_zero) * 2.0, m = l; a = w / m; }");
+    EXPECT_EQ(with_zeros("float l; l = z; a = w / l;"),
+              "float l; l = (z+glint_zero); a = w / l; }");
+    EXPECT_EQ(with_zeros("a = par(w, z);"), "a = par(w, (z+glint_zero)); }");
+    for (const char* alone : {"a = w / z;", "a = w / (z);", "a = w / (z + 1.0);", "a = w * z;",
+                              "float z = 1.0; a = w / (z * 2.0);", "float l = z + 0.1; a = w / l;"})
+        EXPECT_EQ(with_zeros(alone), std::string(alone) + " }");
 }
 
 TEST(HiddenZero, IsAddedToTheZeroOfWhatIsUnset) {

@@ -69,6 +69,13 @@ TEST(Remainder, OfNumbersAndConstantsIsTheCompilers) {
     expect_alone("#define TAP(k) textureOffset(s, p, ivec2(k % 3))\nvoid f() { x = TAP(7); }");
 }
 
+TEST(Remainder, OfVariablesThatAreCalledLikeTypesOrConstantsIsMended) {
+    EXPECT_EQ(of("interval % 3"), "glint_rem(interval , 3)");
+    EXPECT_EQ(of("int(7) % 3"), "int(7) % 3");
+    const std::string other = "const int n = 5;\nvoid g(int n) { x = ";
+    EXPECT_EQ(mended(other + "n % 3; }"), other + "glint_rem(n , 3); }");
+}
+
 TEST(Remainder, TakesNothingOfAHeadBeforeIt) {
     EXPECT_EQ(mended("void f() { if (a > 0) ++k % 4 == 0 ? b : c; }"),
               "void f() { if (a > 0) glint_rem(++k , 4) == 0 ? b : c; }");

@@ -22,8 +22,8 @@ TEST(SamplerUse, ThreeComponentsAreADirection) {
 
 TEST(SamplerUse, TwoOrWhatIsNotKnownAreAPicture) {
     for (const char* place :
-         {"uv", "rd.xy", "uv * rd.z", "(rd * 2.0).xy", "vec2(rd)", "uv * length(rd)", "f(rd)",
-          "rd.xy / dot(rd, rd)", "normalize(rd).xy"})
+         {"uv", "rd.xy", "uv * rd.z", "(rd * 2.0).xy", "vec2(rd)", "uv * length(rd)",
+          "mat3x2(1.0) * rd", "f(rd)", "rd.xy / dot(rd, rd)", "normalize(rd).xy"})
         EXPECT_EQ(used_in("c = texture(iChannel0, " + std::string(place) + ");"), "") << place;
     EXPECT_EQ(used_in("c = texture(iChannel0, uv) + texture(iChannel0, rd);"), "");
     EXPECT_EQ(used_in("c = texture(iChannel1, rd);"), "");

@@ -49,6 +49,16 @@ TEST_F(ImportOfAFolder, ReadsItsCubeWhereATabReadsOne) {
     EXPECT_EQ(draw("scene.frag"), (std::array{51, 255, 51}));
 }
 
+// Which would join the next line to it.
+TEST_F(ImportOfAFolder, ATabMayEndWithABackslashInAComment) {
+    write("tabs/bufferA.glsl",
+          "void mainImage(out vec4 c, in vec2 p) { c = vec4(0.2); }\n// the end \\\n");
+    write("tabs/image.glsl",
+          "void mainImage(out vec4 c, in vec2 p) { c = texture(iChannel0, p); }\n// so \\");
+    EXPECT_EQ(glint({"import", "tabs", "-o", "scene.frag"}).err, "");
+    EXPECT_EQ(draw("scene.frag")[0], 51);
+}
+
 // Which stands beside the tabs, and not beside the scene.
 TEST_F(ImportOfAFolder, FindsWhatATabIncludes) {
     write("tabs/lib/two.h", "float two() { return 0.4; }\n");

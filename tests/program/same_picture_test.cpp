@@ -92,6 +92,24 @@ TEST_F(SamePicture, ConstantsAndUniformsAgree) {
               kShare);
 }
 
+// By which the picture divides, whatever it makes of them first.
+TEST_F(SamePicture, ConstantsOfZeroAndUniformsAgree) {
+    write("zero.frag",
+          "uniform float softness; //@ 0 [0, 1]\nuniform vec2 size; //@ 0, 1 [0, 2]\n"
+          "float part(float x, float of) { float y = x; return y / of; }\n"
+          "void mainImage(out vec4 c, in vec2 p) {\n"
+          "    float d = p.x / iResolution.x - 0.5, w = softness * 0.5, v = w;\n"
+          "    c = clamp(vec4(d / (softness * 0.1), d / size.x, d / v, 1), 0.0, 1.0);\n"
+          "    c.g *= clamp(part(d, softness), 0.0, 1.0) * step(0.0, d / max(softness, 0.0));\n"
+          "}\n");
+    still({"zero.frag", "-o", "a.png", "--size", "160x90"});
+    still({"zero.frag", "-o", "b.png", "--size", "160x90", "--no-specialise"});
+    EXPECT_EQ(bytes("a.png"), bytes("b.png"));
+    const Image image = read_image(folder() / "a.png");
+    EXPECT_EQ(std::to_integer<int>(image.pixels.front()), 0);
+    EXPECT_EQ(std::to_integer<int>(image.pixels[image.pixels.size() - 3]), 255);
+}
+
 class Christmas : public InAFolder {
 protected:
     static std::vector<fs::path> presets() {

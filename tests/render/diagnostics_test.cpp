@@ -301,7 +301,8 @@ TEST_F(Complaints, OfAnEmptyChannelStandWhereItsPassReadsIt) {
 // Mesa lists each texture() that there is.
 TEST_F(Complaints, OfACallNameTheFunctionsOfItsSamplerAlone) {
     const Diagnostics list = complaints(
-        "void mainImage(out vec4 c, in vec2 p) {\n    c = texture(iChannel0, vec3(p, 0));\n}\n");
+        "void mainImage(out vec4 c, in vec2 p) {\n    c = texture(iChannel0, vec3(p, 0));\n"
+        "    c += texture(iChannel0, p);\n}\n");
     ASSERT_FALSE(list.empty());
     EXPECT_EQ(list[0].place.line, 2) << to_text(list);
     EXPECT_EQ(list[0].text,

@@ -46,6 +46,25 @@ TEST(Preset, ABareSceneOpensWithItsDefaults) {
     EXPECT_EQ(result.preset->date.year, 2000);
 }
 
+// As everywhere else, and not by their places.
+TEST(Preset, NumbersOfAMenuAreItsNames) {
+    const TestFolder folder;
+    folder.write("a.frag",
+                 "uniform int samples; //@ 4 {1, 4, 16}\n"
+                 "void mainImage(out vec4 c, in vec2 f) { c = vec4(samples); }\n");
+    const auto value = [&](const std::string& written) {
+        const auto file =
+            folder.write("a.toml", "scene = \"a.frag\"\n[tweaks]\nsamples = " + written + "\n");
+        const ReadPreset result = read_preset(file);
+        EXPECT_TRUE(result.diagnostics.empty()) << all(result.diagnostics);
+        return result.preset->values[0][0];
+    };
+    EXPECT_EQ(value("1"), 0.0);
+    EXPECT_EQ(value("4"), 1.0);
+    EXPECT_EQ(value("\"16\""), 2.0);
+    EXPECT_EQ(value("2"), 2.0);
+}
+
 TEST(Preset, SetsEverything) {
     const ReadPreset result = read(kHead + R"(title = "Harbour at dusk"
 time = 12

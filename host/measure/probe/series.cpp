@@ -130,8 +130,9 @@ void write_map(const std::filesystem::path& file, const std::vector<ProbeCell>& 
         std::vector<double> v = cell.told[0] == 0 ? std::vector<double>() : value_of(cell);
         const bool is_reached = !v.empty();
         if (floats) {
+            const bool has_fourth = v.size() == 4;
             v.resize(4, 0.0);
-            if (v[3] == 0.0) v[3] = is_reached ? 1.0 : 0.0;
+            if (!has_fourth) v[3] = is_reached ? 1.0 : 0.0;
             put(std::array<float, 4>{static_cast<float>(v[0]), static_cast<float>(v[1]),
                                      static_cast<float>(v[2]), static_cast<float>(v[3])});
             continue;
