@@ -68,7 +68,7 @@ PlaygroundWindow::PlaygroundWindow(const ViewOptions& options)
                    .start_states = home_folder("XDG_CACHE_HOME", ".cache") / "states",
                    .maps = home_folder("XDG_CACHE_HOME", ".cache") / "maps",
                    .verdicts = home_folder("XDG_CACHE_HOME", ".cache") / "trials"}),
-      browser_(home_folder("XDG_CACHE_HOME", ".cache")),
+      browser_(home_folder("XDG_CACHE_HOME", ".cache") / "thumbnails"),
       recent_(home_folder("XDG_STATE_HOME", ".local/state") / "recent"),
       study_(home_folder("XDG_CACHE_HOME", ".cache") / "study",
              {.device = options.device, .specialise = options.specialise}),
