@@ -185,7 +185,7 @@ Diagnostics Playground::put_in_place(const Preset& candidate, Programs programs,
     tweaks = std::move(next);
     if (is_text) overruled_ = std::move(overruled);
     forget_states();
-    if (!is_text) programs_.tidy(*renderer_);
+    if (!is_text || !options_.specialise) programs_.tidy(*renderer_);
     if (!is_text && !renderer_->inputs_needed().empty()) load_missing_inputs();
     if (!is_text) return {};  // the picture is the same; nothing asks for a frame
     for (std::size_t i = 0; i < fills_.size(); ++i)
