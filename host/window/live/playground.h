@@ -271,6 +271,7 @@ private:
     TweakValues tweaks_with(const Preset& text,
                             std::vector<std::string>* overruled = nullptr) const;
     Diagnostics put_in_place(const Preset& candidate, Programs programs, bool is_text);
+    void begin_file(bool is_constant);
     void specialise_at_rest();
     void prepare_uniforms();
     bool follow_sketch();
@@ -349,6 +350,7 @@ private:
     Stopwatch since_tweak_;
     // What the programs that are drawn have written in; nothing where they are fed.
     std::optional<std::vector<TweakValue>> constants_;
+    bool constants_alone_fit_ = false;  // into memory, of this text in this size
 
     std::unique_ptr<Buffer> other_picture_;
     InputState input_;
