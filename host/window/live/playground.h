@@ -260,7 +260,9 @@ private:
     void take_input(InputLoader::Loaded loaded);
     void tell_failed_inputs(ReadPreset& read) const;
     void send_arriving();
+    bool send_slice();
     void show_arrived();
+    void drop_arriving(const std::string& why);
     bool awaits_inputs() const { return inputs_.is_loading() || !arriving_.empty(); }
     std::optional<std::size_t> index_of(const Sampler& sampler) const;
     void lay_fills_over(Preset& candidate);
