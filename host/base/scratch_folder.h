@@ -5,8 +5,8 @@
 
 namespace glint {
 
-// PARENT/PID; made by whoever writes into it, gone with this object. Those of processes that were
-// killed go when the next one is made.
+// Below PARENT, by a name that nobody else has, gone with this object. Those of processes that were
+// killed go when the next one is made. Where none can be made, whoever writes into it is told.
 class ScratchFolder {
 public:
     explicit ScratchFolder(const std::filesystem::path& parent);
@@ -18,6 +18,7 @@ public:
 
 private:
     std::filesystem::path path_;
+    int lock_ = -1;  // held while this process runs
 };
 
 }  // namespace glint

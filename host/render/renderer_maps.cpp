@@ -6,6 +6,16 @@
 #include <utility>
 
 namespace glint {
+namespace {
+
+// Drawn or not.
+bool has_pass(const Scene& scene, const std::string& name) {
+    for (std::size_t i = 0; i < scene.passes.size(); ++i)
+        if (pass_name(scene, i) == name) return true;
+    return name == pass_name(scene, kImagePass);
+}
+
+}  // namespace
 
 bool Renderer::is_map(std::size_t index) const {
     const PassProgram& program = scene_.programs[index];
@@ -251,6 +261,8 @@ void Renderer::adopt(Renderer& previous) {
     options_.size = previous.options_.size;
     channels_.adopt(previous.channels_);
     parked_ = std::move(previous.parked_);
+    // What was drawn last is kept whatever it is called: `previous` may have to go on.
+    std::erase_if(parked_, [&](const auto& kept) { return !has_pass(preset_.scene, kept.first); });
     std::vector<std::pair<std::string, std::optional<Content>>> contents;
     for (std::size_t i = 0; i < previous.buffers_.size(); ++i) {
         const std::string name =

@@ -320,5 +320,34 @@ TEST_F(Maps, ThatASimulationReadsAreWholeWhereItIsPlayedUpToATime) {
     EXPECT_EQ(scene.renderer->read_buffer(0, 0), whole.renderer->read_buffer(0, 0));
 }
 
+// Somebody who renames a pass while editing saves many names, of large buffers.
+TEST_F(Maps, OfNamesThatTheTextHasLostGo) {
+    const auto named = [](const char* name) {
+        return std::vector<std::pair<std::string, std::string>>{
+            {"sampler2D clouds", "sampler2D " + std::string(name)},
+            {"texture(clouds", "texture(" + std::string(name)}};
+    };
+    Drawn first(folder_, kConstants), second(folder_, kConstants, named("fog")),
+        third(folder_, kConstants, named("haze"));
+    first.draw();
+    const GLuint clouds = first.renderer->buffer(2).texture(0);
+    second.draw_after(first);
+    third.draw_after(second);
+    EXPECT_FALSE(glIsTexture(clouds));
+}
+
+TEST_F(Maps, OfAPassThatIsSwitchedOffStay) {
+    const std::vector<std::pair<std::string, std::string>> off{
+        {"tint * texture(clouds, p)", "vec4(tint)"}};
+    Drawn first(folder_, kConstants), second(folder_, kConstants, off),
+        third(folder_, kConstants, off), fourth(folder_, kConstants);
+    first.draw();
+    const GLuint clouds = first.renderer->buffer(2).texture(0);
+    second.draw_after(first);
+    third.draw_after(second);
+    fourth.draw_after(third);
+    EXPECT_EQ(fourth.renderer->buffer(2).texture(0), clouds);
+}
+
 }  // namespace
 }  // namespace glint::maps_test

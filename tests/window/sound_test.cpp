@@ -12,6 +12,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <utility>
 
 namespace glint::window::sound_test {
 namespace {
@@ -206,6 +207,27 @@ TEST_F(LiveSoundTest, TheSceneRunsOnWhenItsPlayerIsKilledAndTheNextSaveIsHeardAg
     const std::size_t then = heard().size() / 2;
     write(scene(), kCounts + "// again\n");
     EXPECT_TRUE(hears(then + 22050)) << glint_->errors();
+}
+
+TEST_F(LiveSoundTest, WhenTheDeviceGoesTheNextSaveIsHeardOnTheOneThatIsThereThen) {
+#ifdef __SANITIZE_ADDRESS__
+    GTEST_SKIP() << "the address sanitizer lets nothing be loaded before itself";
+#endif
+    const fs::path gone = folder_->path() / "gone";
+    environment_ = {{"LD_PRELOAD", GLINT_GONE_DEVICE}, {"GLINT_DEVICE_GONE", gone.string()}};
+    open(kCounts);
+    ASSERT_TRUE(hears(4410)) << glint_->errors();
+    write(gone, "");
+    std::uintmax_t size = 0;
+    ASSERT_TRUE(eventually([&] {
+        const std::uintmax_t before = std::exchange(size, fs::file_size(heard_file()));
+        ::usleep(300'000);
+        return size == before;
+    }));
+    fs::remove(gone);
+    write(scene(), kCounts + "// again\n");
+    EXPECT_TRUE(hears(size / (2 * sizeof(float)) + 22050)) << glint_->errors();
+    EXPECT_EQ(voices().size(), 1u);
 }
 
 TEST_F(LiveSoundTest, ASceneWithoutSoundStartsNoProcessForOneAndLoadsNoLibraryOfIt) {

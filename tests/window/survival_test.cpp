@@ -112,6 +112,57 @@ TEST_F(Survival, WithoutVideoMemoryThePictureBeforeStays) {
     expect_alive({4, 5, 6});
 }
 
+// A pass behind a switch that is off costs constants nothing; programs with uniforms need its
+// buffers.
+class LittleRoom : public Survival {
+protected:
+    void open_within(rlim_t bytes, const std::vector<std::string>& arguments = {}) {
+        rlimit before{};
+        ASSERT_EQ(::getrlimit(RLIMIT_AS, &before), 0);
+        const rlimit some{.rlim_cur = bytes, .rlim_max = before.rlim_max};
+        ASSERT_EQ(::setrlimit(RLIMIT_AS, &some), 0);  // the program inherits it
+        open(kText, arguments);
+        ASSERT_EQ(::setrlimit(RLIMIT_AS, &before), 0);
+    }
+    static constexpr rlim_t kRoom = rlim_t{2} << 30;
+    static constexpr const char* kText =
+        "uniform float a; //@ 0.5 [0, 1]\n"
+        "uniform bool extra; //@ off\n"
+        "uniform sampler2D b0; //@ pass mainBig size=8192x8192\n"
+        "uniform sampler2D b1; //@ pass mainBig size=8192x8192\n"
+        "uniform sampler2D b2; //@ pass mainBig size=8192x8192\n"
+        "void mainBig(out vec4 o0, out vec4 o1, out vec4 o2, in vec2 p) {\n"
+        "    o0 = o1 = o2 = vec4(a);\n"
+        "}\n"
+        "void mainImage(out vec4 c, in vec2 p) {\n"
+        "    c = vec4(a, 0.2, 0.2, 1);\n"
+        "    if (extra) c += texelFetch(b0, ivec2(p), 0) + texelFetch(b2, ivec2(p), 0);\n"
+        "}\n";
+};
+
+TEST_F(LittleRoom, WhereConstantsAloneFitThePictureOfASliderWaitsForThose) {
+#ifdef __SANITIZE_ADDRESS__
+    GTEST_SKIP() << "the address sanitizer reserves terabytes of the address space";
+#endif
+    open_within(kRoom, {"--tweak", "a=0.4"});
+    EXPECT_TRUE(shows({102, 51, 51}, kMargin)) << glint_->errors();
+    screen_->tap("Control_L+z");
+    EXPECT_TRUE(shows({128, 51, 51}, kMargin)) << glint_->errors();
+    EXPECT_TRUE(glint_->runs()) << glint_->errors();
+}
+
+TEST_F(LittleRoom, WhereConstantsAloneFitAnotherNumberInTheFileIsShownByThose) {
+#ifdef __SANITIZE_ADDRESS__
+    GTEST_SKIP() << "the address sanitizer reserves terabytes of the address space";
+#endif
+    open_within(kRoom);
+    settle();  // programs with uniforms are at standby
+    std::string text = kText;
+    text.replace(text.find("0.2, 0.2"), 8, "0.4, 0.2");
+    write(scene(), text);
+    EXPECT_TRUE(shows({128, 102, 51}, kMargin, 10.0)) << glint_->errors();
+}
+
 TEST_F(Survival, WhenTheDisplayGoesTheProgramEndsWithASentence) {
     open(flat({1, 2, 3}));
     std::this_thread::sleep_for(500ms);

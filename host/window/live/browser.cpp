@@ -1,8 +1,9 @@
 #include "window/live/browser.h"
 
+#include "base/hash.h"
 #include "base/launch.h"
 #include "offline/examples.h"
-#include "scene/preset.h"
+#include "scene/passes.h"
 #include "window/live/preview.h"
 
 #include <fmt/format.h>
@@ -11,7 +12,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <functional>
 #include <set>
 #include <system_error>
 
@@ -23,6 +23,9 @@ namespace fs = std::filesystem;
 constexpr const char* kThumbnailSize = "192x108";
 // s, of all its threads. A scene that never comes to an end must not hold up those behind it.
 constexpr rlim_t kMostProcessorTime = 60;
+
+// Of all thumbnails; some hundreds.
+constexpr std::uintmax_t kMostThumbnailBytes = std::uintmax_t{16} << 20;
 
 // A file that is there twice, through a link, is listed once.
 void append_files(std::vector<fs::path>& list, std::set<fs::path>& known, const fs::path& folder,
@@ -78,7 +81,23 @@ std::vector<fs::path> nearby_files(const fs::path& file) {
     return list;
 }
 
-Browser::Browser(fs::path cache) : cache_(std::move(cache)) {}
+std::string thumbnail_name(const fs::path& file) {
+    const ReadPreset read = read_preset(file);
+    std::vector<fs::path> files = read.files;
+    for (std::size_t i = 0; read.preset && i < sampler_count(*read.preset); ++i) {
+        const Sampler& sampler = sampler_at(*read.preset, i);
+        files.insert(files.end(), sampler.files.begin(), sampler.files.end());
+    }
+    Hash digest;
+    for (const fs::path& each : files) {
+        std::error_code error;
+        digest.add(fs::absolute(each, error).string());
+        digest.add(fmt::format("{}", fs::last_write_time(each, error).time_since_epoch().count()));
+    }
+    return digest.text() + ".png";
+}
+
+Browser::Browser(fs::path cache) : cache_(std::move(cache), kMostThumbnailBytes) {}
 
 Browser::~Browser() {
     if (rendering_ == 0) return;
@@ -86,15 +105,8 @@ Browser::~Browser() {
     wait_for(rendering_);
 }
 
-// The name changes with the file's path and time, so that a stale picture is never shown.
-fs::path Browser::cached(const fs::path& file) const {
-    std::error_code error;
-    const auto modified = fs::last_write_time(file, error).time_since_epoch().count();
-    const std::string key = fmt::format("{}:{}", fs::absolute(file, error).string(), modified);
-    return cache_ / fmt::format("{:016x}.png", std::hash<std::string>()(key));
-}
-
 void Browser::list(const std::vector<Shelf>& shelves) {
+    names_.clear();
     std::vector<Look> looks;
     for (const Shelf& shelf : shelves) {
         for (const fs::path& file : shelf.files) {
@@ -111,8 +123,8 @@ void Browser::list(const std::vector<Shelf>& shelves) {
 }
 
 // The picture that lies ready for a file; empty where it has to be drawn.
-fs::path Browser::ready_picture(const fs::path& file) const {
-    const fs::path drawn = cached(file);
+fs::path Browser::ready_picture(const fs::path& file, const std::string& name) const {
+    const fs::path drawn = place_of(name);
     std::error_code error;
     return fs::exists(drawn, error) ? drawn : gallery_picture(file);
 }
@@ -125,7 +137,10 @@ const Look* Browser::next() const {
     for (const Look& look : looks_) {
         if (look.is_done) continue;
         const bool is_seen = std::ranges::find(first_, look.file) != first_.end();
-        const bool is_ready = !ready_picture(look.file).empty();
+        // What is not known yet is looked at first.
+        const auto name = names_.find(look.file);
+        const bool is_ready =
+            name == names_.end() || !ready_picture(look.file, name->second).empty();
         const int rank = (is_seen ? 2 : 0) + (is_ready ? 1 : 0) + 1;
         if (rank <= best_rank) continue;
         best = &look;
@@ -135,19 +150,27 @@ const Look* Browser::next() const {
     return best;
 }
 
-void Browser::start_next() {
+// A name asks for all that is read for a scene: only those are asked for that may be next.
+const Look* Browser::next_of_known_name() {
     const Look* look = next();
+    for (; look && !names_.contains(look->file); look = next())
+        names_[look->file] = thumbnail_name(look->file);
+    return look;
+}
+
+void Browser::start_next() {
+    const Look* look = next_of_known_name();
     if (!look) return;
     current_ = look->file;
-    const fs::path picture = ready_picture(current_);
+    const std::string& name = names_.at(current_);
+    const fs::path picture = ready_picture(current_, name);
     if (!picture.empty()) {
         reading_ = std::async(std::launch::async, [picture] { return read_preview(picture); });
         return;
     }
-    const fs::path output = cached(current_);
     std::error_code error;
-    fs::create_directories(cache_, error);
-    rendering_ = start_still(current_, output);
+    fs::create_directories(cache_.folder(), error);
+    rendering_ = start_still(current_, place_of(name));
     if (rendering_ == 0) finish({});
 }
 
@@ -167,6 +190,7 @@ bool Browser::update(bool is_shown) {
         if (!code) return false;
         rendering_ = 0;
         if (*code != 0) finish({});  // no picture of this one
+        cache_.forget_oldest();
         return false;
     }
     if (!reading_.valid()) {

@@ -4,9 +4,11 @@
 
 #include "gl/objects.h"
 #include "media/image.h"
+#include "window/live/kept_files.h"
 
 #include <filesystem>
 #include <future>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -24,10 +26,14 @@ struct Look {
 // folder; presets first, by name. A folder that cannot be read counts as empty.
 std::vector<std::filesystem::path> nearby_files(const std::filesystem::path& file);
 
+// Of the thumbnail of a preset or a scene, which is read for it: another one once anything has
+// changed that it is drawn from.
+std::string thumbnail_name(const std::filesystem::path& file);
+
 class Browser {
 public:
-    // Thumbnails lie below `cache`, by the name and the time of their file; where it cannot be
-    // written, there are none. A GL context is current as long as this lives.
+    // Thumbnails lie in the folder `cache`; where it cannot be written, there are none. A GL
+    // context is current as long as this lives.
     explicit Browser(std::filesystem::path cache);
     ~Browser();  // ends the process that draws
     Browser(const Browser&) = delete;
@@ -55,16 +61,19 @@ public:
 
 private:
     const Look* next() const;
+    const Look* next_of_known_name();
     void start_next();
     void finish(Texture thumbnail);
-    std::filesystem::path cached(const std::filesystem::path& file) const;
-    std::filesystem::path ready_picture(const std::filesystem::path& file) const;
+    std::filesystem::path place_of(const std::string& name) const { return cache_.folder() / name; }
+    std::filesystem::path ready_picture(const std::filesystem::path& file,
+                                        const std::string& name) const;
 
-    std::filesystem::path cache_;
+    KeptFiles cache_;
     std::vector<Look> looks_;
-    std::vector<std::filesystem::path> first_;  // in view
-    std::filesystem::path current_;             // whose thumbnail is drawn or read
-    int rendering_ = 0;                         // the process that draws it
+    std::map<std::filesystem::path, std::string> names_;  // of thumbnails, as far as they are known
+    std::vector<std::filesystem::path> first_;            // in view
+    std::filesystem::path current_;                       // whose thumbnail is drawn or read
+    int rendering_ = 0;                                   // the process that draws it
     std::future<Image> reading_;
 };
 

@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Another window may do the same at the same time.
-void forget_oldest(const fs::path& folder, std::uintmax_t most_bytes) {
+void keep_within(const fs::path& folder, std::uintmax_t most_bytes) {
     struct Kept {
         fs::path file;
         fs::file_time_type time;
@@ -41,9 +41,11 @@ using Write = std::function<void(const fs::path&)>;
 void keep_in(const fs::path& folder, const std::string& name, std::uintmax_t most_bytes,
              const Write& write) {
     try {
-        make_folder(folder);
-        write(folder / name);
-        forget_oldest(folder, most_bytes);
+        if (write) {
+            make_folder(folder);
+            write(folder / name);
+        }
+        keep_within(folder, most_bytes);
     } catch (const std::exception&) {
         // A disk that is full or not ours; no memory. The next start does without.
     }
@@ -57,6 +59,10 @@ void KeptFiles::keep(const std::string& name, Write write) {
     if (is_writing) return;
     writing_ =
         std::async(std::launch::async, keep_in, folder_, name, most_bytes_, std::move(write));
+}
+
+void KeptFiles::forget_oldest() {
+    keep({}, {});
 }
 
 }  // namespace glint

@@ -21,6 +21,8 @@ public:
     // Calls `write` with the place of this name on a thread of its own; it writes the file whole or
     // throws. Where it throws, or one is still being written, nothing is kept.
     void keep(const std::string& name, std::function<void(const std::filesystem::path&)> write);
+    // Another process has written one: what is too much by now goes, on that thread.
+    void forget_oldest();
 
 private:
     std::filesystem::path folder_;

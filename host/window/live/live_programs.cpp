@@ -119,9 +119,9 @@ void LivePrograms::prepare(const Preset& shown, glm::ivec2 size, double time) {
 
 void LivePrograms::follow_standby(Renderer& drawn) {
     if (!standby_) return;
-    const bool was_ready = is_prepared();
+    const bool were_awaited = awaits_fed();
     standby_->follow(shelf_, drawn);
-    if (!was_ready) tidy(drawn);
+    if (were_awaited) tidy(drawn);
 }
 
 std::optional<CompiledScene> LivePrograms::take_fed(const Preset& shown) {
@@ -147,9 +147,9 @@ void LivePrograms::note_drawn(Programs programs, bool is_text, Renderer* before,
 }
 
 void LivePrograms::tidy(const Renderer& drawn) {
-    if (!is_prepared()) return;
+    if (awaits_fed()) return;
     std::vector<GLuint> ids = ids_of(drawn.scene());
-    std::ranges::copy(standby_->ids(), std::back_inserter(ids));
+    if (standby_) std::ranges::copy(standby_->ids(), std::back_inserter(ids));
     shelf_.keep_only(ids);
 }
 

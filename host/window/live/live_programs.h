@@ -68,7 +68,7 @@ public:
     // These are drawn from now on, in the place of `before`, which may be null and which the tweaks
     // were fed to or not. Fed programs of the shown text stay at hand, whichever are drawn.
     void note_drawn(Programs programs, bool is_text, Renderer* before, bool was_fed);
-    // Forgets programs that are neither drawn nor at hand, once the fed ones are.
+    // Forgets programs that are neither drawn nor at hand, once the fed ones are, or will never be.
     void tidy(const Renderer& drawn);
 
     // Fed programs are at hand: a slider or a number can move without a compiler.
@@ -96,6 +96,8 @@ public:
     }
 
 private:
+    // They are at standby some day, and may be on the shelf in part.
+    bool awaits_fed() const { return standby_ && !standby_->is_ready() && !standby_->is_refused(); }
     Candidate candidate() const;
     const Verdict& follow_known();
 

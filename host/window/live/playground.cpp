@@ -1,6 +1,7 @@
 #include "window/live/playground.h"
 
 #include "base/readable_file.h"
+#include "render/room.h"
 #include "scene/look_changes.h"
 #include "scene/preset_writer.h"
 
@@ -185,28 +186,31 @@ Diagnostics Playground::put_in_place(const Preset& candidate, Programs programs,
     tweaks = std::move(next);
     if (is_text) overruled_ = std::move(overruled);
     forget_states();
-    if (!is_text) programs_.tidy(*renderer_);
+    if (!is_text || !options_.specialise) programs_.tidy(*renderer_);
     if (!is_text && !renderer_->inputs_needed().empty()) load_missing_inputs();
     if (!is_text) return {};  // the picture is the same; nothing asks for a frame
     for (std::size_t i = 0; i < fills_.size(); ++i)
         fills_[i] = laid_over_[i] ? preset_->channels[i] : Sampler();
     since_tweak_.restart();
     touched_ = true;
+    constants_alone_fit_ = false;
     quick_frames_ = 0;
     kept_maps_.forget();
-    if (!written) {
-        if (is_constant)
-            kept_maps_.give(*preset_, *renderer_, programs_.shelf(), context_.driver());
-        expected_ms_ = programs_.expected_ms();
-        find_start_state();
-        has_picture_ = false;
-        opening_ = Opening::awaits_inputs;
-        transport_ = Transport(preset_->time);
-        input_ = {};
-        extra_frames_ = frame_offset_ = 0;
-        is_replayable_ = preset_->time == 0.0;  // else the first frame is a jump
-    }
+    if (!written) begin_file(is_constant);
     return {};
+}
+
+// What is in place is the first of its file.
+void Playground::begin_file(bool is_constant) {
+    if (is_constant) kept_maps_.give(*preset_, *renderer_, programs_.shelf(), context_.driver());
+    expected_ms_ = programs_.expected_ms();
+    find_start_state();
+    has_picture_ = false;
+    opening_ = Opening::awaits_inputs;
+    transport_ = Transport(preset_->time);
+    input_ = {};
+    extra_frames_ = frame_offset_ = 0;
+    is_replayable_ = preset_->time == 0.0;  // else the first frame is a jump
 }
 
 void Playground::tweaks_changed() {
@@ -219,16 +223,25 @@ void Playground::tweaks_changed() {
     leave_constants();
 }
 
-// Draws fed programs, where these are at hand. Else the picture waits for them, or for the
-// constants of the new values.
+// Draws fed programs, where these are at hand and fit into memory. Else the picture waits for them,
+// or for the constants of the new values.
 void Playground::leave_constants() {
     if (!constants_) return;
     reloader_.uses_uniforms();
+    if (constants_alone_fit_) return;
     std::optional<CompiledScene> scene = programs_.take_fed(*preset_);
     if (!scene) return;
-    auto renderer = std::make_unique<Renderer>(
-        *preset_, std::move(*scene),
-        RenderOptions{.size = size_, .picture_format = picture_format()}, renderer_.get());
+    std::unique_ptr<Renderer> renderer;
+    try {
+        renderer = std::make_unique<Renderer>(
+            *preset_, std::move(*scene),
+            RenderOptions{.size = size_, .picture_format = picture_format()}, renderer_.get());
+    } catch (const NoRoom& error) {
+        // They draw what constants switch off, too.
+        constants_alone_fit_ = true;
+        reloader_.tell({.place = {.file = reloader_.file().string()}, .text = error.what()});
+        return;
+    }
     renderer->set_values(tweaks.values());
     renderer_ = std::move(renderer);
     forget_states();
@@ -263,6 +276,7 @@ void Playground::resize(glm::ivec2 size) {
     touched_ = true;
     if (states_depend_on_size()) forget_states();
     refused_size_ = {0, 0};
+    constants_alone_fit_ = false;
     try {
         if (renderer_) renderer_->resize(size);
         context_.finish();

@@ -260,7 +260,9 @@ private:
     void take_input(InputLoader::Loaded loaded);
     void tell_failed_inputs(ReadPreset& read) const;
     void send_arriving();
+    bool send_slice();
     void show_arrived();
+    void drop_arriving(const std::string& why);
     bool awaits_inputs() const { return inputs_.is_loading() || !arriving_.empty(); }
     std::optional<std::size_t> index_of(const Sampler& sampler) const;
     void lay_fills_over(Preset& candidate);
@@ -271,6 +273,7 @@ private:
     TweakValues tweaks_with(const Preset& text,
                             std::vector<std::string>* overruled = nullptr) const;
     Diagnostics put_in_place(const Preset& candidate, Programs programs, bool is_text);
+    void begin_file(bool is_constant);
     void specialise_at_rest();
     void prepare_uniforms();
     bool follow_sketch();
@@ -349,6 +352,7 @@ private:
     Stopwatch since_tweak_;
     // What the programs that are drawn have written in; nothing where they are fed.
     std::optional<std::vector<TweakValue>> constants_;
+    bool constants_alone_fit_ = false;  // into memory, of this text in this size
 
     std::unique_ptr<Buffer> other_picture_;
     InputState input_;

@@ -11,6 +11,10 @@ constexpr std::size_t kLargePicture = std::size_t{16} << 20;  // bytes; the driv
 constexpr std::size_t kRowsAtOnce = std::size_t{1} << 20;     // bytes
 constexpr double kSendSlice = 8.0;                            // ms between two frames
 
+ReloadReport report_of(const InputLoader::Loaded& loaded) {
+    return {.file = loaded.sampler.files.front(), .read_ms = loaded.ms, .text = {}};
+}
+
 }  // namespace
 
 void Playground::reload_inputs(const std::vector<std::filesystem::path>& changed) {
@@ -60,8 +64,7 @@ void Playground::take_input(InputLoader::Loaded loaded) {
     });
     const Place& place = sampler_at(*preset_, *index).place;
     reloader_.forget_missing_file(place);
-    const ReloadReport report{
-        .file = loaded.sampler.files.front(), .read_ms = loaded.ms, .text = {}};
+    const ReloadReport report = report_of(loaded);
     try {
         if (!loaded.input) {
             const std::string error = loaded.error;
@@ -73,14 +76,15 @@ void Playground::take_input(InputLoader::Loaded loaded) {
         if (is_large) {
             const bool mipmaps = loaded.sampler.filter == Filter::mipmap;
             PictureUpload upload(view_of(*loaded.input), mipmaps);
+            context_.finish();  // now the driver says whether there was memory for it
             arriving_.push_back({std::move(loaded), std::move(upload)});
         } else {
             give_input(std::move(*loaded.input), *renderer_, *index);
             forget_states();
             touched_ = true;
             reloader_.input_arrived(report);
+            context_.finish();
         }
-        context_.finish();  // now the driver says whether there was memory for it
     } catch (const ContextLost&) {
         throw;
     } catch (const std::runtime_error& error) {
@@ -101,6 +105,17 @@ void Playground::tell_failed_inputs(ReadPreset& read) const {
 // Between frames, a few milliseconds at a time: the window goes on.
 void Playground::send_arriving() {
     if (arriving_.empty()) return;
+    try {
+        if (send_slice()) show_arrived();
+    } catch (const ContextLost&) {
+        throw;
+    } catch (const std::runtime_error& error) {
+        drop_arriving(error.what());
+    }
+}
+
+// True once all of it is there.
+bool Playground::send_slice() {
     Arriving& first = arriving_.front();
     const PixelView pixels = view_of(*first.loaded.input);
     const std::size_t row = pixels.data.size() / static_cast<std::size_t>(pixels.size.y);
@@ -111,19 +126,29 @@ void Playground::send_arriving() {
         is_whole = first.upload.send(pixels, rows);
         context_.finish();  // or the driver would do all of it later, at once
     }
-    if (is_whole) show_arrived();
+    return is_whole;
 }
 
 void Playground::show_arrived() {
-    Arriving arrived = std::move(arriving_.front());
+    Arriving& arrived = arriving_.front();
+    // Else the text names it no more.
+    if (const std::optional<std::size_t> index = index_of(arrived.loaded.sampler)) {
+        renderer_->set_image(*index, arrived.upload);
+        forget_states();
+        touched_ = true;
+        reloader_.input_arrived(report_of(arrived.loaded));
+    }
     arriving_.pop_front();
-    const std::optional<std::size_t> index = index_of(arrived.loaded.sampler);
-    if (!index) return;  // the text names it no more
-    renderer_->set_image(*index, arrived.upload);
-    forget_states();
-    touched_ = true;
-    reloader_.input_arrived(
-        {.file = arrived.loaded.sampler.files.front(), .read_ms = arrived.loaded.ms, .text = {}});
+}
+
+// The driver has no memory for it: the picture goes on without.
+void Playground::drop_arriving(const std::string& why) {
+    const InputLoader::Loaded& loaded = arriving_.front().loaded;
+    if (const std::optional<std::size_t> index = index_of(loaded.sampler)) {
+        const Place& place = sampler_at(*preset_, *index).place;
+        reloader_.input_failed(report_of(loaded), {Severity::error, place, why, true});
+    }
+    arriving_.pop_front();
 }
 
 void Playground::fill(const Sampler& channel) {

@@ -23,6 +23,10 @@ Speaker::Speaker() {
     if (!device_) throw std::runtime_error(cause.data());
 }
 
+Speaker::~Speaker() {
+    find<GlintSpeakerClose>("glint_speaker_close")(device_);
+}
+
 double Speaker::latency() const {
     return find<GlintSpeakerLatency>("glint_speaker_latency")(device_);
 }

@@ -9,6 +9,9 @@ class Speaker {
 public:
     // Loads PortAudio. Throws std::runtime_error, with the cause alone, where there is no device.
     Speaker();
+    ~Speaker();
+    Speaker(const Speaker&) = delete;
+    Speaker& operator=(const Speaker&) = delete;
 
     double latency() const;  // s from writing to hearing
 

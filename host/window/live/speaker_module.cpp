@@ -10,16 +10,20 @@ namespace {
 
 constexpr double kLatency = 0.05;  // s; below it a busy machine stutters
 
+// PortAudio looks for devices once, when it is begun: it ends, so that the next call finds others.
 void* give_up(const char* why, char* cause, size_t size) {
     std::snprintf(cause, size, "%s", why);
+    Pa_Terminate();
     return nullptr;
 }
 
 }  // namespace
 
 void* glint_speaker_open(char* cause, size_t size) {
-    if (const PaError error = Pa_Initialize(); error != paNoError)
-        return give_up(Pa_GetErrorText(error), cause, size);
+    if (const PaError error = Pa_Initialize(); error != paNoError) {
+        std::snprintf(cause, size, "%s", Pa_GetErrorText(error));
+        return nullptr;
+    }
     const PaDeviceIndex device = Pa_GetDefaultOutputDevice();
     if (device == paNoDevice) return give_up("there is no sound device", cause, size);
     const PaDeviceInfo& info = *Pa_GetDeviceInfo(device);
@@ -32,6 +36,11 @@ void* glint_speaker_open(char* cause, size_t size) {
     const PaError error = Pa_OpenStream(&stream, nullptr, &output, 44100,
                                         paFramesPerBufferUnspecified, paNoFlag, nullptr, nullptr);
     return error == paNoError ? stream : give_up(Pa_GetErrorText(error), cause, size);
+}
+
+void glint_speaker_close(void* speaker) {
+    Pa_CloseStream(speaker);
+    Pa_Terminate();
 }
 
 double glint_speaker_latency(void* speaker) {

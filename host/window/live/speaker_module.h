@@ -7,8 +7,10 @@
 extern "C" {
 
 // The system's usual device, at 44.1 kHz in stereo. Null, with a cause (no sentence), where there
-// is none. It lives as long as the process.
+// is none. One is open at a time.
 typedef void* GlintSpeakerOpen(char* cause, size_t cause_size);
+// Of one that is gone, too. The next one is sought among the devices that there are then.
+typedef void GlintSpeakerClose(void* speaker);
 // Seconds from writing to hearing.
 typedef double GlintSpeakerLatency(void* speaker);
 // 1, or 0 when the device is gone.
@@ -18,6 +20,7 @@ typedef int GlintSpeakerStop(void* speaker);
 typedef int GlintSpeakerWrite(void* speaker, const float* pairs, size_t count);
 
 GlintSpeakerOpen glint_speaker_open;
+GlintSpeakerClose glint_speaker_close;
 GlintSpeakerLatency glint_speaker_latency;
 GlintSpeakerStart glint_speaker_start;
 GlintSpeakerStop glint_speaker_stop;

@@ -68,6 +68,7 @@ void Standby::follow(ProgramShelf& shelf, Renderer& shown) {
     scene_ = std::move(*compiled.scene);
     state_ = State::ready;
     has_buffers_ = false;
+    fits_ = true;
 }
 
 void Standby::make_buffer(Renderer& shown) {
@@ -75,12 +76,13 @@ void Standby::make_buffer(Renderer& shown) {
         has_buffers_ = !shown.make_ahead(*scene_);
     } catch (const std::runtime_error&) {
         has_buffers_ = true;  // whoever draws them is told
+        fits_ = false;
     }
 }
 
 bool Standby::draws(const Preset& preset, const ProgramShelf& shelf) const {
     // Most edits are of the picture, which is drawn last.
-    return is_ready() &&
+    return is_ready() && fits_ &&
            std::ranges::all_of(std::views::reverse(passes_), [&](const PassTrial& tried) {
                const auto pass = pass_named(preset.scene, tried.name);
                return pass && shelf.find(pass_text(preset, *pass, options_).text) != 0;

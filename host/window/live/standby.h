@@ -35,7 +35,7 @@ public:
     // The other process cannot make them ready.
     bool is_refused() const { return state_ == State::refused; }
 
-    // Whether they draw this text as well, by other numbers.
+    // Whether they draw this text as well, by other numbers, and fit into memory.
     bool draws(const Preset& preset, const ProgramShelf& shelf) const;
 
     // The programs, to be drawn with the preset that they were prepared for, or one of the same
@@ -69,6 +69,7 @@ private:
     std::vector<PassTrial> passes_;  // that they draw
     std::optional<CompiledScene> scene_;
     bool has_buffers_ = false;  // those that it fills and the shown one does not
+    bool fits_ = true;          // these have room in memory, as far as is known
 };
 
 }  // namespace glint

@@ -19,6 +19,7 @@
 #include <cstdlib>
 #include <mutex>
 #include <thread>
+#include <utility>
 
 namespace glint {
 namespace {
@@ -74,6 +75,7 @@ private:
     void hear();
     void obey(SoundOrder order);
     void take(Preset scene);
+    void forget_gone_speaker();
     bool make_block();
     void play();
 
@@ -88,6 +90,7 @@ private:
     std::mutex mutex_;  // of what follows
     std::condition_variable wake_;
     SoundFeed feed_;
+    bool is_gone_ = false;  // the device of the speaker; the player has ended
 };
 
 void Voice::run() {
@@ -120,6 +123,7 @@ void Voice::obey(SoundOrder order) {
 }
 
 void Voice::take(Preset scene) {
+    forget_gone_speaker();
     try {
         if (!speaker_) speaker_ = std::make_unique<Speaker>();
         if (!player_.joinable()) player_ = std::thread([this] { play(); });
@@ -131,6 +135,16 @@ void Voice::take(Preset scene) {
     } catch (const std::exception& error) {
         tell(fmt::format("silent {}", error.what()));
     }
+}
+
+// There may be a device again by now.
+void Voice::forget_gone_speaker() {
+    {
+        const std::scoped_lock lock(mutex_);
+        if (!std::exchange(is_gone_, false)) return;
+    }
+    player_.join();
+    speaker_.reset();
 }
 
 // What was made of the sources before sounds until the first block of the new ones is there.
@@ -177,6 +191,8 @@ void Voice::play() {
         speaker_->stop();
         if (works) continue;
         tell("silent the sound device is gone");
+        lock.lock();
+        is_gone_ = true;
         return;
     }
 }

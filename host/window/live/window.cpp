@@ -6,14 +6,13 @@
 #include "base/terminal.h"
 #include "media/image.h"
 #include "offline/new_scene.h"
+#include "window/live/home_folder.h"
 #include "window/live/inspect.h"
 #include "window/live/offers.h"
 #include "window/live/playground_window.h"
 
 #include <fmt/format.h>
 #include <glm/common.hpp>
-#include <pwd.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -29,16 +28,6 @@ constexpr double kLongestWait = 10.0;  // s
 
 // Where time plays and the picture does not depend on it, only the clock in the panels moves.
 constexpr double kClockTick = 0.25, kWaitingTick = 0.1;  // s
-
-// $XDG_CACHE_HOME/glint and the like, or a folder under the home.
-fs::path home_folder(const char* variable, const char* fallback) {
-    const char* value = std::getenv(variable);
-    if (value && *value) return fs::path(value) / "glint";
-    const char* home = std::getenv("HOME");
-    const passwd* user = home && *home ? nullptr : ::getpwuid(::getuid());
-    if (user) home = user->pw_dir;
-    return fs::path(home && *home ? home : "/tmp") / fallback / "glint";
-}
 
 // What the preset or the options say. What is wrong with the file is told once it is open; what is
 // wrong with the options throws UsageError.
@@ -79,7 +68,7 @@ PlaygroundWindow::PlaygroundWindow(const ViewOptions& options)
                    .start_states = home_folder("XDG_CACHE_HOME", ".cache") / "states",
                    .maps = home_folder("XDG_CACHE_HOME", ".cache") / "maps",
                    .verdicts = home_folder("XDG_CACHE_HOME", ".cache") / "trials"}),
-      browser_(home_folder("XDG_CACHE_HOME", ".cache")),
+      browser_(home_folder("XDG_CACHE_HOME", ".cache") / "thumbnails"),
       recent_(home_folder("XDG_STATE_HOME", ".local/state") / "recent"),
       study_(home_folder("XDG_CACHE_HOME", ".cache") / "study",
              {.device = options.device, .specialise = options.specialise}),

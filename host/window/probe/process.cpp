@@ -1,5 +1,6 @@
 #include "window/probe/process.h"
 
+#include "base/json_text.h"
 #include "gl/context.h"
 #include "measure/probe/cost.h"
 #include "measure/probe/watches.h"
@@ -237,7 +238,7 @@ void Subject::answer(const ProbeOrder& order, ProbeAnswer& answer) {
     answer.is_whole = is_whole();
     found.notes = watches_->refused();
     found.notes.insert(found.notes.end(), refused_.begin(), refused_.end());
-    answer.found = to_json(found).dump();
+    answer.found = json_text(to_json(found), -1);
 }
 
 }  // namespace

@@ -40,10 +40,11 @@ std::optional<ProbeAnswer> Prober::update() {
     const bool goes_on = process_.receive();
     if (const auto message = take_message(process_.arrived)) {
         asked_ = 0;
+        has_answered_ = true;
         return unpack_probe_answer(*message);
     }
     if (!goes_on && is_asking()) return given_up("The process that probes has ended.");
-    is_refused_ |= !goes_on;
+    is_refused_ |= !goes_on && !has_answered_;
     if (!goes_on) process_.end();
     if (waited_ms() > kLongest) return given_up("The instrumented text takes too long.");
     return {};

@@ -87,7 +87,8 @@ private:
     SharedMemory memory_;
     SocketProcess process_;
     std::uint64_t asked_ = 0;
-    bool is_refused_ = false;  // it ended before it was asked anything
+    bool has_answered_ = false;
+    bool is_refused_ = false;  // it ended unasked, and never answered: it cannot start here
     Stopwatch since_asked_;
 };
 

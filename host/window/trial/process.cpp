@@ -15,6 +15,7 @@
 #include <csignal>
 #include <ctime>
 #include <limits>
+#include <mutex>
 #include <thread>
 
 namespace glint {
@@ -83,6 +84,9 @@ private:
     std::string judged_;  // the last text of which there was nothing to say, without its numbers
     bool software_ = false;
     double overhead_ms_ = 0.0;  // of a draw that does nothing
+    // Of the answer and of sending it, while others than the main thread do so: threads that
+    // compile ahead, and the watch of a driver that takes too much.
+    std::mutex telling_;
     TrialAnswer answer_;
     std::vector<Sizes> sizes_;
     std::vector<std::pair<std::size_t, double>> compile_ms_;  // by pass
@@ -103,6 +107,7 @@ void Trier::send(const TrialAnswer& answer) {
 }
 
 void Trier::tell(TrialStage stage, std::size_t pass) {
+    const std::scoped_lock lock(telling_);
     answer_.stage = stage;
     answer_.text = pass_name(*scene_, pass);
     if (stage == TrialStage::drawing) {
@@ -335,6 +340,7 @@ void Trier::warn_of_slowness(const TrialOrder& order) {
 
 // On the watch's thread, while the driver has the other one. The window starts a new process.
 void Trier::give_up(const Preset& preset, std::size_t pass, const std::string& why) {
+    const std::scoped_lock lock(telling_);  // to the end of the process: nothing is told after it
     answer_.verdict.state = TrialState::rejected;
     answer_.verdict.diagnostics = {given_up(preset, pass, why)};
     answer_.stage = TrialStage::done;

@@ -45,7 +45,11 @@ void Trial::spawn() {
     heard_ = std::make_unique<TrialAnswer>();
     const int error = process_.start(options_.program, "trial", options_.device, options_.niceness);
     note_time();
-    if (error == 0) return;
+    if (error == 0) {
+        failed_launches_ = 0;
+        return;
+    }
+    ++failed_launches_;
     unavailable_ =
         fmt::format("{} does not start: {}.", options_.program.string(), std::strerror(error));
 }
@@ -69,6 +73,8 @@ void Trial::start(const Candidate& candidate) {
     verdict_.state = TrialState::running;
     started_ = Clock::now();
     note_time();
+    // A system that had no room for one more process may have it by now.
+    if (failed_launches_ > 0 && failed_launches_ < kMostFailedStarts) unavailable_.clear();
     if (process_.id() == 0)
         replace_process();
     else

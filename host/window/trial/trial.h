@@ -135,7 +135,8 @@ private:
 
     TrialOptions options_;
     SocketProcess process_;
-    int failed_starts_ = 0;               // in a row
+    int failed_starts_ = 0;               // in a row, of processes that were not ready yet
+    int failed_launches_ = 0;             // in a row, of those that the system did not make
     std::string unavailable_;             // why there can be no process
     std::string renderer_;                // "": not ready yet
     std::string order_;                   // the newest candidate, as sent

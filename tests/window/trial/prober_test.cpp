@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <signal.h>
 
 #include <algorithm>
 #include <chrono>
@@ -176,6 +177,25 @@ TEST_F(Probing, WhatDoesNotCompileIsTold) {
                                            17, "c = undeclared;  ");
     ask();
     EXPECT_NE(answer_.problem, "");
+}
+
+TEST_F(Probing, AProcessThatEndsWhileNobodyAsksIsReplaced) {
+    order_.pixel = glm::ivec2(1, 1);
+    ASSERT_EQ(value(ask(), "height", 8), 10.5);
+    ::kill(prober_.process(), SIGKILL);
+    for (int i = 0; i < 10000 && prober_.process() != 0; ++i) {
+        prober_.update();
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    prober_.prepare();
+    ASSERT_NE(prober_.process(), 0);
+    EXPECT_EQ(value(ask(), "height", 8), 10.5);
+}
+
+TEST_F(Probing, ASceneWhoseNameIsNoUtf8IsAnsweredToo) {
+    order_.pixel = glm::ivec2(1, 1);
+    order_.scene.preset.scene.files.front() = "sc\xe9ne.frag";
+    EXPECT_EQ(value(ask(), "height", 8), 10.5) << answer_.problem;
 }
 
 }  // namespace

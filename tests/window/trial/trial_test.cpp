@@ -344,6 +344,17 @@ TEST(Trial, GoesOnWithoutAContext) {
     EXPECT_EQ(try_text(nothing, kTrivial).state, TrialState::unavailable);
 }
 
+// As a system that has no room for a process, for a moment.
+TEST(Trial, OneThatDidNotStartIsStartedForALaterCandidate) {
+    const TestFolder folder;
+    TrialOptions later = options();
+    later.program = folder.path() / "glint";
+    Trial trial(later);
+    EXPECT_EQ(try_text(trial, kTrivial).state, TrialState::unavailable);
+    fs::create_symlink(GLINT_BINARY, later.program);
+    EXPECT_EQ(try_text(trial, kTrivial).state, TrialState::passed);
+}
+
 long resident_kib(pid_t process) {
     std::ifstream status(fmt::format("/proc/{}/status", process));
     for (std::string line; std::getline(status, line);) {

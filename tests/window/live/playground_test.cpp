@@ -1,0 +1,79 @@
+// An open scene without a window: what the driver has no room for is told, and all goes on.
+#include "window/live/playground.h"
+
+#include "../../render/fixture.h"
+
+#include <thread>
+
+namespace glint::playground_test {
+namespace {
+
+namespace fs = std::filesystem;
+
+// As a driver says of a call that it refuses.
+void complain() {
+    glDebugMessageInsert(GL_DEBUG_SOURCE_APPLICATION, GL_DEBUG_TYPE_ERROR, 1,
+                         GL_DEBUG_SEVERITY_HIGH, -1, "no memory");
+}
+
+// A scene that reads a picture which goes to the driver in pieces.
+class LargePicture : public GlTest {
+protected:
+    void SetUp() override {
+        GlTest::SetUp();
+        if (IsSkipped()) return;
+        write_image(folder_.path() / "large.png",
+                    {.size = {kSide, kSide},
+                     .channels = 3,
+                     .type = ChannelType::u8,
+                     .pixels = std::vector<std::byte>(3 * kSide * kSide, std::byte{127})});
+        const fs::path scene =
+            folder_.write("scene.frag",
+                          "uniform sampler2D large; //@ image large.png filter=mipmap\n"
+                          "void mainImage(out vec4 c, in vec2 p) { c = texture(large, p); }\n");
+        trial_.emplace(TrialOptions{.device = "", .program = GLINT_BINARY});
+        playground_.emplace(*shared_context.context, *trial_, glm::ivec2(32, 18),
+                            PlaygroundOptions{.device = "", .specialise = false});
+        playground_->open(scene);
+    }
+    // Goes on until this is so; false where it never is.
+    bool follows_until(const std::function<bool()>& is_so) {
+        for (int i = 0; i < 5'000 && !is_so(); ++i) {
+            playground_->update();
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+        return is_so();
+    }
+    bool is_told() const {
+        return to_text(playground_->diagnostics()).find("no memory") != std::string::npos;
+    }
+
+    static constexpr int kSide = 5000;  // pixels
+    TestFolder folder_;
+    std::optional<Trial> trial_;
+    std::optional<Playground> playground_;
+};
+
+TEST_F(LargePicture, ThatTheDriverHasNoRoomForIsLeftOut) {
+    ASSERT_TRUE(follows_until([&] { return playground_->is_open(); }))
+        << to_text(playground_->diagnostics());
+    complain();
+    ASSERT_TRUE(follows_until([&] { return is_told(); }));
+    EXPECT_FALSE(playground_->is_loading());
+    complain();
+    EXPECT_NO_THROW(playground_->update());
+    take_complaint();
+}
+
+TEST_F(LargePicture, ThatTheDriverRefusesOnItsWayIsLeftOut) {
+    const auto is_sent = [&] { return playground_->is_open() && playground_->is_sending(); };
+    ASSERT_TRUE(follows_until(is_sent));
+    complain();
+    EXPECT_NO_THROW(playground_->update());
+    EXPECT_TRUE(is_told()) << to_text(playground_->diagnostics());
+    EXPECT_FALSE(playground_->is_loading());
+    take_complaint();
+}
+
+}  // namespace
+}  // namespace glint::playground_test
