@@ -29,7 +29,13 @@ class ZeroHider {
 public:
     ZeroHider(const Reading& reading, const std::unordered_set<std::string_view>& zero_uniforms,
               Edits& edits)
-        : reading_(reading), zero_uniforms_(zero_uniforms), edits_(edits) {
+        : reading_(reading), zeros_(zero_uniforms), edits_(edits) {
+        for (const Declaration& declaration : reading.declarations)
+            for (const Declarator& one : declaration.names)
+                if (declaration.is_const && declaration.scope == Scope::global &&
+                    kind_of(reading.word(declaration.type)) == NumberKind::floating &&
+                    is_zero(one.initial))
+                    zeros_.insert(reading.word(one.name));
         find_divisors();
     }
 
@@ -104,8 +110,11 @@ private:
         if (!is_mended(divisor)) find_uniforms(function, divisor);
     }
 
-    // `w / softness`, of a float.
+    // `w / softness`, of a float, and `w / vec2(softness)`.
     bool is_mended(TokenRange divisor) const {
+        const bool is_made = divisor.size() > 1 && reading_.tokens[divisor.begin + 1].is("(") &&
+                             kind_of(reading_.word(divisor.begin)) == NumberKind::floating;
+        if (is_made) ++divisor.begin;
         const TokenRange alone = without_parentheses(reading_, divisor);
         const Declaration* global =
             alone.size() == 1 ? reading_.find_global(reading_.word(alone.begin)) : nullptr;
@@ -115,7 +124,8 @@ private:
     // Of a value that divides: the uniforms in it, and what its variables are made of.
     void find_uniforms(std::uint32_t function, TokenRange value, int depth = 0) {
         constexpr int kLongestChain = 64;
-        if (zero_uniforms_.empty() || depth > kLongestChain || is_sum(value)) return;
+        if (zeros_.empty() || depth > kLongestChain || is_sum(value)) return;
+        if (depth > 0 && is_zero(value)) return;  // it is hidden where it is given away
         for (std::uint32_t at = value.begin; at < value.end; ++at) {
             if (!is_name(at) || !hidden_.insert(at).second) continue;
             if (const TokenRange initial = initial_of(function, at); !initial.empty())
@@ -133,7 +143,7 @@ private:
 
     void hide_uniform(std::uint32_t at) {
         const std::string_view name = reading_.word(at);
-        if (!zero_uniforms_.contains(name)) return;
+        if (!zeros_.contains(name)) return;
         if (!variables_) variables_.emplace(reading_);
         const auto& functions = reading_.functions;
         const auto function = std::ranges::find_if(functions, [&](const Function& one) {
@@ -142,8 +152,11 @@ private:
         if (function == functions.end()) return;  // a constant's value knows no uniform
         const auto index = static_cast<std::uint32_t>(function - functions.begin());
         const auto found = variables_->find(at, index);
-        const bool is_uniform = found.declaration && found.declaration->is_uniform;
-        if (!is_uniform || !edits_.takes_before(at) || !edits_.takes_after(at)) return;
+        const bool is_ours = found.declaration && found.declaration->scope == Scope::global &&
+                             (found.declaration->is_uniform || found.declaration->is_const);
+        if (!is_ours || edits_.is_replaced(reading_.place(at)) || !edits_.takes_before(at) ||
+            !edits_.takes_after(at))
+            return;
         edits_.before(at, "(");
         edits_.after(at, fmt::format("+{})", kHiddenZero));
     }
@@ -160,13 +173,14 @@ private:
         return kind ? *kind : NumberKind::other;
     }
 
-    // `0.0`, `0` for whole numbers, `vec3(0)`, `vec2(0.0, 0)`.
+    // `0.0`, `0` for whole numbers, `vec3(0)`, `vec2(0.0, 1)`, and the name of such a constant.
     bool is_zero(TokenRange range) const {
         bool any = false;
         for (std::uint32_t at = range.begin; at < range.end; ++at) {
             const Token& token = reading_.tokens[at];
             if (token.kind == TokenKind::number) {
-                if (token.text.find_first_not_of("0.fF") != std::string_view::npos) return false;
+                any |= token.text.find_first_not_of("0.fF") == std::string_view::npos;
+            } else if (is_constant(at)) {
                 any = true;
             } else if (!token.is("(") && !token.is(")") && !token.is(",") &&
                        kind_of(token.text) == NumberKind::other) {
@@ -174,6 +188,14 @@ private:
             }
         }
         return any;
+    }
+
+    // Of the text's own, of zero.
+    bool is_constant(std::uint32_t at) const {
+        const Declaration* global =
+            zeros_.contains(reading_.word(at)) ? reading_.find_global(reading_.word(at)) : nullptr;
+        return global && global->is_const &&
+               (at + 1 == reading_.tokens.size() || !reading_.tokens[at + 1].is("."));
     }
 
     void add_behind(std::uint32_t token, NumberKind kind) {
@@ -223,7 +245,7 @@ private:
         const std::vector<TokenRange> arguments = reading_.arguments_of(call);
         for (std::size_t i = 0; i < arguments.size(); ++i) {
             const bool is_written = is_zero(arguments[i]);
-            if (!is_written && zero_uniforms_.empty()) continue;
+            if (!is_written && zeros_.empty()) continue;
             const NumberKind kind = parameter_kind(call, i);
             if (kind == NumberKind::other) continue;
             if (is_written)
@@ -251,7 +273,7 @@ private:
     }
 
     const Reading& reading_;
-    const std::unordered_set<std::string_view>& zero_uniforms_;
+    std::unordered_set<std::string_view> zeros_;  // uniforms, and constants of the text
     Edits& edits_;
     std::optional<Variables> variables_;  // where anything asks for them
     std::set<std::uint32_t> hidden_;      // names in what divides
