@@ -96,10 +96,17 @@ private:
     }
 
     // What is added to is no zero for long.
-    bool is_sum(TokenRange range) const {
-        return std::any_of(reading_.tokens.begin() + range.begin,
-                           reading_.tokens.begin() + range.end,
-                           [](const Token& token) { return token.is("+") || token.is("-"); });
+    bool is_sum(TokenRange range) const { return has(range, {"+", "-"}); }
+
+    // What hangs on a condition is left to the compiler, which may take one of both out.
+    bool is_chosen(TokenRange range) const {
+        return has(range, {"?", "<", ">", "<=", ">=", "==", "!=", "&&", "||"});
+    }
+
+    bool has(TokenRange range, std::initializer_list<std::string_view> signs) const {
+        for (std::uint32_t at = range.begin; at < range.end; ++at)
+            if (std::ranges::find(signs, reading_.tokens[at].text) != signs.end()) return true;
+        return false;
     }
 
     void add_divisors(std::uint32_t function, TokenRange divisor) {
@@ -124,7 +131,7 @@ private:
     // Of a value that divides: the uniforms in it, and what its variables are made of.
     void find_uniforms(std::uint32_t function, TokenRange value, int depth = 0) {
         constexpr int kLongestChain = 64;
-        if (zeros_.empty() || depth > kLongestChain || is_sum(value)) return;
+        if (zeros_.empty() || depth > kLongestChain || is_sum(value) || is_chosen(value)) return;
         if (depth > 0 && is_zero(value)) return;  // it is hidden where it is given away
         for (std::uint32_t at = value.begin; at < value.end; ++at) {
             if (!is_name(at) || !hidden_.insert(at).second) continue;
@@ -173,13 +180,14 @@ private:
         return kind ? *kind : NumberKind::other;
     }
 
-    // `0.0`, `0` for whole numbers, `vec3(0)`, `vec2(0.0, 1)`, and the name of such a constant.
+    // `0.0`, `0` for whole numbers, `vec3(0)`, `vec2(0.0, 0)`, and the name of such a constant.
     bool is_zero(TokenRange range) const {
         bool any = false;
         for (std::uint32_t at = range.begin; at < range.end; ++at) {
             const Token& token = reading_.tokens[at];
             if (token.kind == TokenKind::number) {
-                any |= token.text.find_first_not_of("0.fF") == std::string_view::npos;
+                if (token.text.find_first_not_of("0.fF") != std::string_view::npos) return false;
+                any = true;
             } else if (is_constant(at)) {
                 any = true;
             } else if (!token.is("(") && !token.is(")") && !token.is(",") &&

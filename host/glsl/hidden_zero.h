@@ -20,7 +20,7 @@ inline constexpr std::string_view kHiddenZero = "glint_zero";
 // `w / (z + 1.0)` is left alone.
 //
 // So is what is made of a uniform that becomes a constant with a 0 in it, one of `zero_uniforms`, or
-// of a constant of the text with one, and divides: `w / (softness * 0.1)` becomes
+// of a constant of the text that is 0, and divides: `w / (softness * 0.1)` becomes
 // `w / ((softness+glint_zero) * 0.1)`, and so do values of variables and arguments that divide, and
 // of what these are made of.
 //

@@ -54,22 +54,21 @@ TEST(HiddenZero, IsAddedToUniformsInWhatDivides) {
     EXPECT_EQ(with_zeros("a = par(w, z);"), "a = par(w, (z+glint_zero)); }");
     for (const char* alone :
          {"a = w / z;", "a = w / (z);", "a = w / vec2(z);", "a = w / (z + 1.0);", "a = w * z;",
-          "float z = 1.0; a = w / (z * 2.0);", "float l = z + 0.1; a = w / l;"})
+          "float z = 1.0; a = w / (z * 2.0);", "bool b = z > 0.0; a = w / float(b);",
+          "float l = z + 0.1; a = w / l;"})
         EXPECT_EQ(with_zeros(alone), std::string(alone) + " }");
 }
 
 TEST(HiddenZero, IsAddedToConstantsOfZeroThatAreGivenAwayOrOfSeveralComponents) {
-    const std::string head = "const float NIL = 0.0; const vec2 AXIS = vec2(0.0, 1.0);\n";
+    const std::string head =
+        "const float NIL = 0.0; const vec2 NONE = vec2(0.0), UP = vec2(0, 1);\n";
     const auto in_text = [&](const std::string& body) {
         return hidden(head + "void f() { " + body + " }").substr(head.size() + 11);
     };
     EXPECT_EQ(in_text("float l = NIL; a = w / l;"), "float l = NIL + glint_zero; a = w / l; }");
-    EXPECT_EQ(in_text("a = w / AXIS;"), "a = w / (AXIS+glint_zero); }");
-    EXPECT_EQ(in_text("a = w / AXIS.x;"), "a = w / (AXIS+glint_zero).x; }");
-    EXPECT_EQ(in_text("vec2 v = vec2(0.0, 1.0); a = w / v;"),
-              "vec2 v = vec2(0.0, 1.0) + glint_zero; a = w / v; }");
-    for (const char* alone :
-         {"a = w / NIL;", "a = w * AXIS;", "vec2 v = vec2(2.0, 1.0); a = w / v;"})
+    EXPECT_EQ(in_text("a = w / NONE;"), "a = w / (NONE+glint_zero); }");
+    EXPECT_EQ(in_text("a = w / NONE.x;"), "a = w / (NONE+glint_zero).x; }");
+    for (const char* alone : {"a = w / NIL;", "a = w * NONE;", "a = w / UP;"})
         EXPECT_EQ(in_text(alone), std::string(alone) + " }");
 }
 
