@@ -6,6 +6,8 @@
 #include "scene/builtin.h"
 #include "scene/scene_text.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <ranges>
 #include <regex>

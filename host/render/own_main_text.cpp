@@ -181,11 +181,7 @@ std::string older_textures(const Reading& reading) {
     for (const auto& [name, sampler, place] : kOlderTextures) {
         if (!reading.functions_named(name).empty() && is_of_older_glsl(reading))
             text += beside_its_own(reading, name, sampler, place);
-        if (means_its_own(reading, name)) continue;
-        if (!hides(reading, "texture")) {
-            text += fmt::format("#define {} texture\n", name);
-            continue;
-        }
+        if (means_its_own(reading, name) || !hides(reading, "texture")) continue;
         // A name of the text's hides the function behind it.
         text += beside_its_own(reading, name, sampler, place) +
                 fmt::format("#define {0} glint_{0}\n", name);

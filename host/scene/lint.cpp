@@ -227,6 +227,10 @@ std::span<const std::string> finding_names() {
     return names;
 }
 
+bool is_of_long_loop(const PlacedFinding& finding) {
+    return finding.name == "long-loop" || finding.name == "loop-without-bound";
+}
+
 Lint lint(const Preset& preset) {
     return Linter(preset).run();
 }

@@ -27,6 +27,9 @@ struct Unread {
     std::string why;
 };
 
+// Whether it is of a loop that llvmpipe may end before it is done.
+bool is_of_long_loop(const PlacedFinding& finding);
+
 struct Lint {
     std::vector<PlacedFinding> findings;  // by file and line; each once, however many passes
     std::vector<Unread> unread;           // then nothing is said of texts

@@ -7,8 +7,12 @@
 #include "scene/lint.h"
 
 #include <fmt/format.h>
+#include <glm/common.hpp>
 
 #include <algorithm>
+#include <functional>
+#include <optional>
+#include <vector>
 
 namespace glint {
 namespace {
@@ -21,9 +25,7 @@ std::optional<Place> long_loop(const Preset& preset) {
     if (find_whole_word(text, "for") == text.npos && find_whole_word(text, "while") == text.npos)
         return std::nullopt;
     std::vector<PlacedFinding> findings = lint(preset).findings;
-    std::erase_if(findings, [](const PlacedFinding& one) {
-        return one.name != "long-loop" && one.name != "loop-without-bound";
-    });
+    std::erase_if(findings, std::not_fn(is_of_long_loop));
     drop_allowed(preset.scene, findings);
     return findings.empty() ? std::nullopt : std::optional(findings.front().place);
 }

@@ -154,10 +154,7 @@ std::string MeasuredScene::cut_pass() {
     constexpr std::uint32_t kMany = kLoopBudget / 2;  // at so few pixels
     if (!ends_loops(context_)) return {};
     const std::vector<PlacedFinding> findings = lint(preset_).findings;
-    const bool may_be_cut = std::ranges::any_of(findings, [](const PlacedFinding& one) {
-        return one.name == "long-loop" || one.name == "loop-without-bound";
-    });
-    if (!may_be_cut) return {};
+    if (std::ranges::none_of(findings, is_of_long_loop)) return {};
     try {
         if (!renderer_.graph().stateful) {
             const std::uint32_t most = coarse().most_turns();
