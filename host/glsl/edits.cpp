@@ -82,6 +82,12 @@ bool Edits::replace(TokenRange range, std::string words) {
     return true;
 }
 
+void Edits::write_out(const MacroUse& use) {
+    if (use.tokens.empty()) return;
+    if (!add_within({use.tokens.begin, Within::Where::before, ""}))
+        replace_bytes(use.span, reading_.spelled(use.tokens));
+}
+
 void Edits::replace_bytes(Span span, std::string words) {
     changes_.push_back(
         {span, words + line_ends_in(reading_.text.substr(span.begin, span.end - span.begin))});

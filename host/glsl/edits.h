@@ -42,6 +42,8 @@ public:
     bool after(std::uint32_t token, std::string words);
     // Line ends within what is replaced are kept.
     bool replace(TokenRange range, std::string words);
+    // What comes of a macro's use stands in its place, with all that is changed within it.
+    void write_out(const MacroUse& use);
     // Bytes of the text itself, whatever they hold.
     void replace_bytes(Span span, std::string words);
 

@@ -44,7 +44,8 @@ std::optional<float> whole_of(const Token& token) {
 }
 
 bool makes_floats(std::string_view type) {
-    return type == "float" || type.starts_with("vec") || type.starts_with("mat");
+    if (type == "float" || (type.starts_with("vec") && type.size() == 4)) return true;
+    return type.starts_with("mat") && (type.size() == 4 || (type.size() == 6 && type[4] == 'x'));
 }
 
 // `2.5` or `-2.5`: the token of the number.

@@ -87,10 +87,13 @@ void part_operators_at_uses(const Reading& reading, Edits& edits) {
         if (use.tokens.empty()) continue;
         const std::uint32_t begin = use.tokens.begin, end = use.tokens.end;
         if (end < reading.tokens.size() &&
-            make_an_operator(reading.tokens[end - 1], reading.tokens[end]))
-            edits.replace(use.tokens, reading.spelled(use.tokens) + " ");
-        else if (begin > 0 && make_an_operator(reading.tokens[begin - 1], reading.tokens[begin]))
+            make_an_operator(reading.tokens[end - 1], reading.tokens[end])) {
+            edits.write_out(use);
+            edits.after(end - 1, " ");
+        } else if (begin > 0 &&
+                   make_an_operator(reading.tokens[begin - 1], reading.tokens[begin])) {
             edits.before(begin, " ");
+        }
     }
 }
 
@@ -107,8 +110,7 @@ void write_out_broken_calls(const Reading& reading, Edits& edits) {
             std::ranges::any_of(reading.directives, [&](const Directive& line) {
                 return line.span.begin >= use.span.begin && line.span.end <= use.span.end;
             });
-        if (has_directive || !reading.macros[use.macro].takes_arguments)
-            edits.replace(use.tokens, reading.spelled(use.tokens));
+        if (has_directive || !reading.macros[use.macro].takes_arguments) edits.write_out(use);
     }
 }
 

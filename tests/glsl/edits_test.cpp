@@ -43,6 +43,16 @@ TEST(Edits, WriteOutAMacroThatTheyFallInto) {
     EXPECT_EQ(edited.map.origin(edited.text.find("c = 2")), text.find("c;"));
 }
 
+TEST(Edits, AreKeptWithinAMacroThatIsWrittenOut) {
+    const std::string text = "#define INV(a) a / 0. -\nfloat x = INV(1.)-1.;\n";
+    const Reading reading = read_glsl(text, {});
+    Edits edits(reading);
+    edits.write_out(reading.uses.front());
+    EXPECT_TRUE(edits.after(find(reading, "0."), " + zero"));
+    EXPECT_TRUE(edits.after(find(reading, "0.") + 1, " "));
+    EXPECT_EQ(edits.apply().text, "#define INV(a) a / 0. -\nfloat x = 1. / 0. + zero - -1.;\n");
+}
+
 TEST(Edits, StandBesideAMacro) {
     const std::string text = "#define FLOAT float\nFLOAT a;\n";
     const Reading reading = read_glsl(text, {});

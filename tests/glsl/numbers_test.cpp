@@ -58,6 +58,8 @@ TEST(Numbers, ThatAreWholeAreFedWhereAConstructorMakesThemFloats) {
     EXPECT_EQ(fed("void f() { a = vec3(2, -7, 1) * float(3) + vec2(0, g(5)).x; }"),
               Fed("void f() { a = vec3(n[0].x, -n[0].y, 1) * float(n[0].z) + vec2(0, g(5)).x; }",
                   {2.0f, 7.0f, 3.0f}));
+    for (const char* text : {"void f() { a = matId(3); }", "void f() { a = vec3_of(2) + mat(7); }"})
+        EXPECT_EQ(fed(text), Fed(text, {})) << "functions of the text";
 }
 
 TEST(Numbers, ThatAreBrokenAreFedAsExponents) {

@@ -63,7 +63,8 @@ protected:
 };
 
 TEST_F(Check, AHealthySceneWithEverySourceOfTroublePasses) {
-    const Json report = check("healthy", {"--random", "16", "--size", "48x27"}, 0);
+    const Json report =
+        check("healthy", {"--random", "16", "--size", "48x27", "--seconds", "40"}, 0);
     EXPECT_EQ(report["failed"], 0);
     EXPECT_FALSE(report["renderer"].get<std::string>().empty());
     EXPECT_EQ(names(), std::set<std::string>{}) << "only failures leave files";
