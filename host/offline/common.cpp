@@ -14,6 +14,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <csignal>
 #include <cstring>
 #include <limits>
 
@@ -174,10 +175,13 @@ std::size_t find_pass(const Scene& scene, const std::string& name) {
 
 Diagnostic given_up(const Preset& preset, std::size_t pass, const std::string& why) {
     const std::string name = pass_name(preset.scene, pass);
+    // Mesa 22.3 divides constants with the processor, which has no answer to -2147483648 / -1.
+    const bool divides = why.find(::strsignal(SIGFPE)) != std::string::npos;
     return {Severity::error, entry_place(preset.scene, name),
-            fmt::format("pass {}: the driver {}; is there a huge array, a macro that grows, or an "
-                        "expression or a chain of calls nested too deep?",
-                        name, why)};
+            fmt::format("pass {}: the driver {}; is there {}?", name, why,
+                        divides ? "a division of the int -2147483648 by -1, both constants"
+                                : "a huge array, a macro that grows, or an expression or a chain "
+                                  "of calls nested too deep")};
 }
 
 namespace {

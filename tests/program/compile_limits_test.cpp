@@ -81,5 +81,17 @@ TEST_F(CompileLimits, TellOfADriverThatOverflowsItsStack) {
         << outcome.err;
 }
 
+TEST_F(CompileLimits, TellOfADivisionThatCrashesTheDriver) {
+    write("scene.frag",
+          "void mainImage(out vec4 c, in vec2 p) {\n    int a = -2147483647 - 1;\n"
+          "    c = vec4(a / -1);\n}\n");
+    const Outcome outcome = glint({"still", "scene.frag", "-o", "out.png", "--size", "32x18"});
+    if (outcome.code == 0) GTEST_SKIP() << "this driver divides";
+    EXPECT_EQ(outcome.code, 3) << outcome.signal << outcome.err;
+    EXPECT_NE(outcome.err.find("is there a division of the int -2147483648 by -1"),
+              std::string::npos)
+        << outcome.err;
+}
+
 }  // namespace
 }  // namespace glint::cli::compile_limits_test
