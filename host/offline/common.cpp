@@ -286,6 +286,10 @@ Frame Playback::frame(const Preset& preset, int index) const {
         index == 0 ? -std::numeric_limits<double>::infinity() : time_of(index - 1);
     Frame frame =
         frame_at(preset, previous, time, index == 0 ? 1.0 / 60.0 : time - previous, index);
+    if (mouse_size != glm::ivec2(0)) {
+        frame.mouse_size = mouse_size;
+        frame.input = replay(preset.events, previous, time, mouse_size);
+    }
     if (uncounted > 0.0) frame.longest_catch_up = 2.0 / fps;  // no frame makes up for those
     return frame;
 }

@@ -122,6 +122,8 @@ Image read_picture(Renderer& renderer, bool floats);
 struct Playback {
     double end = 0.0;   // s
     double fps = 60.0;  // Hz
+    // Of the picture in whose pixels the mouse is counted; 0: the preset's.
+    glm::ivec2 mouse_size{0};
 
     int last_frame() const;
     Frame frame(const Preset& preset, int index) const;

@@ -342,7 +342,7 @@ void Renderer::run_steps(const Frame& frame, Step step) {
         if (!frame.events.empty()) {
             const double from =
                 done == 0 ? -std::numeric_limits<double>::infinity() : time_of(done);
-            inner.input = replay(frame.events, from, inner.time, options_.size);
+            inner.input = replay(frame.events, from, inner.time, mouse_size(frame));
             channels_.set_keyboard(inner.input);
         }
         channels_.set_time(inner.time);

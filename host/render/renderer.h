@@ -275,6 +275,9 @@ private:
     void draw_once(std::size_t index);
     void forget_drawn(std::size_t index);
     glm::ivec2 drawn_size(std::size_t index) const;
+    glm::ivec2 mouse_size(const Frame& frame) const {
+        return frame.mouse_size == glm::ivec2(0) ? options_.size : frame.mouse_size;
+    }
     bool is_tile(std::size_t index) const;
     Value value_of(const BuiltinUniform& uniform, std::size_t index, const Inputs& inputs) const;
     Value channel_value(const BuiltinUniform& uniform, std::size_t pass, double time) const;

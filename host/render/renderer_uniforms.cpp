@@ -193,11 +193,13 @@ Renderer::Value Renderer::value_of(const BuiltinUniform& uniform, std::size_t in
             break;
         case Builtin::mouse:
         case Builtin::mouse_2d:
-            std::copy_n(&frame.input.mouse.x, 4, f.begin());
+            for (int i = 0; i < 4; ++i)
+                f[i] = static_cast<float>(frame.input.mouse[i] * double(options_.size[i % 2]) /
+                                          mouse_size(frame)[i % 2]);
             break;
         case Builtin::mouse_share:
-            f[0] = frame.input.mouse.x / static_cast<float>(options_.size.x);
-            f[1] = frame.input.mouse.y / static_cast<float>(options_.size.y);
+            f[0] = frame.input.mouse.x / static_cast<float>(mouse_size(frame).x);
+            f[1] = frame.input.mouse.y / static_cast<float>(mouse_size(frame).y);
             break;
         case Builtin::date:
             std::copy_n(&frame.date.x, 4, f.begin());

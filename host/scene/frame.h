@@ -90,6 +90,9 @@ struct Frame {
     double exposure = 0.0;  // s that the shutter stays open from `time` on; averaged pictures only
     glm::vec4 date{0.0f};   // iDate
     Input input;
+    // Of the picture in whose pixels the mouse is counted, where it is drawn at another size: there
+    // it has the same place. 0: as it is drawn.
+    glm::ivec2 mouse_size{0};
     // What was done so far, from a preset or at the window: step passes read the input of their own
     // step's time from these, so that a simulation does not depend on the frame rate. May begin
     // with a state, as events of long ago.

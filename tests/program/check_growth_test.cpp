@@ -111,6 +111,7 @@ TEST_F(CheckGrowth, ThatALimitHoldsIsFoundWithSmallerSteps) {
         "uniform float k; //@ 20 [1, 400]\n");
     EXPECT_NE(verdict("k=400 for long", 6).find("though a limit hides it"), std::string::npos)
         << "half of such a step is still too long";
+    EXPECT_NE(verdict("step 1/60 s", 0).find("unstable by the step in use"), std::string::npos);
     simulate(
         "if (iFrame == 0) x = vec4(0.9);\n"
         "x = clamp(x - h * k * (x - 0.4), 0.0, 1.0);",

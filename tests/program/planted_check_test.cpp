@@ -169,6 +169,15 @@ TEST_F(PlantedFaults, ALoopThatALateClockKeepsFromItsEndUsesItsBudgetUp) {
     const Planted sticks{"loop_budget/of_a_day", scene("iTime", "iTime + 1.0", "x"),
                          scene("0.0", "1.0", "iTime + x")};
     look_at(sticks, {"--case", "loop budget"});
+    const auto longer = [](const char* from, const char* to) {
+        return fmt::format(
+            "void mainImage(out vec4 c, in vec2 p) {{\n    float s = 0.0;\n"
+            "    for (float x = {}; x < {}; x += 0.02) s += 1e-3 * sin(x - iTime + p.x);\n"
+            "    c = vec4(0.5 + s);\n}}\n",
+            from, to);
+    };
+    look_at({"loop_budget/of_a_month", longer("iTime", "iTime + 1.0"), longer("0.0", "1.0")},
+            {"--case", "loop budget"});
     const std::string file = written("late", sticks.fault);
     const Json found =
         report_of(glint({"check", file, "--json", "--size", "32x18", "--case", "loop budget"}),

@@ -150,6 +150,34 @@ void mainImage(out vec4 c, in vec2 p) {
     EXPECT_NEAR(byte(2), 720 - 499, 1) << "the row that the pointer is in, or between two";
 }
 
+TEST_F(FirstPicture, ASimulationOfASlowSceneHasTheMouseWhereTheFullSizeHasIt) {
+    open(R"(
+uniform sampler2D screen; //@ pass mainScreen
+uniform sampler2D memory; //@ pass mainMemory size=1x1 step=1/60
+void mainScreen(out vec4 c, in vec2 p) { c = vec4(0); }
+void mainMemory(out vec4 c, in vec2 p) {
+    c = vec4(texelFetch(memory, ivec2(0), 0).xyz, 1);
+    if (iMouse.x > 0.0) c.xy = iMouse.xy / vec2(textureSize(screen, 0));
+}
+void mainImage(out vec4 c, in vec2 p) {
+    float x = p.x + iTime;
+    for (int i = 0; i < 600; ++i) x = sin(x + float(i));
+    float column = round(texelFetch(memory, ivec2(0), 0).x * 1280.0);
+    vec3 place = vec3(mod(column, 256.0), floor(column / 256.0), 0.0);
+    c = vec4(column > 0.0 ? place / 255.0 : vec3(0, 1, x * 1e-6), 1);
+}
+)");
+    ASSERT_TRUE(shows_green());
+    screen_->click({701, 499});
+    ASSERT_TRUE(eventually([&] { return screen_->pixel({300, 300}).g < 100; }));
+    screen_->tap("F12");
+    const fs::path still = folder_->path() / "scene-0001.png";
+    ASSERT_TRUE(eventually([&] { return fs::exists(still); }));
+    const Image image = read_image(still);
+    const auto byte = [&](std::size_t at) { return std::to_integer<int>(image.pixels[at]); };
+    EXPECT_EQ(256 * byte(1) + byte(0), 701);
+}
+
 TEST_F(FirstPicture, TheWordsInTheTransportBarChooseTheFullSizeWhichIsRemembered) {
     open(kSlow);
     ASSERT_TRUE(shows_green());

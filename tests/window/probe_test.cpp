@@ -73,6 +73,25 @@ TEST_F(Source, LinesTellTheirValuesUnderTheMouseAndAClickPinsAPixel) {
     EXPECT_TRUE(eventually([&] { return lines() == at_first; })) << "let go";
 }
 
+TEST_F(Source, ThePixelUnderTheMouseIsTheOneThatIsSeenThere) {
+    open(
+        "void mainImage(out vec4 c, in vec2 p) {\n"
+        "    float here = floor(p.y) == 719.0 - 400.0 ? 0.25 : 0.75;\n"
+        "    c = vec4(0.8, 0.1, 0.1, 1.0) + 0.0 * here;\n}\n");
+    screen_->tap("Control_L+space");
+    screen_->tap("Control_L+t");
+    screen_->tap("Control_L+i");
+    settle();
+    screen_->move({900, 399});
+    ASSERT_TRUE(tells());
+    settle();
+    const auto above = lines();
+    screen_->move({900, 400});
+    EXPECT_TRUE(eventually([&] { return lines() != above; })) << "the 401st row from the top";
+    screen_->move({900, 401});
+    EXPECT_TRUE(eventually([&] { return lines() == above; }));
+}
+
 TEST_F(Source, AClickOnAValueShowsItInEveryPixelAndASaveIsFollowed) {
     open_slope();
     screen_->click({900, 400});

@@ -184,6 +184,34 @@ TEST_F(Drag, ASaveInTheMiddleOfADragDoesNotTakeTheSliderAway) {
     EXPECT_EQ(value(), before);  // one entry of the undo list
 }
 
+TEST_F(Drag, ASaveThatPutsAnotherTweakInThePlaceOfTheHeldOneMovesNone) {
+    const std::string text =
+        "uniform float value; //@ 0.25 [0, 1]\n"
+        "void mainImage(out vec4 c, in vec2 p) { c = vec4(0.5, value, 0, 1); }\n";
+    open(text);
+    screen_->tap("Control_L+space");
+    settle();
+    screen_->move({1085, 89});
+    screen_->button(true);
+    screen_->move({1120, 89});
+    settle();
+    write(scene(),
+          "uniform float other; //@ 0.5 [0, 1]\n"
+          "uniform float value; //@ 0.25 [0, 1]\n"
+          "void mainImage(out vec4 c, in vec2 p) { c = vec4(other, value, 0, 1); }\n");
+    ASSERT_TRUE(glint_->says(": shown", 2));
+    settle();
+    const Colour before = screen_->pixel({3, 300});
+    for (int x = 1130; x <= 1200; x += 10) {
+        screen_->move({x, 89});
+        std::this_thread::sleep_for(30ms);
+    }
+    settle();
+    EXPECT_EQ(screen_->pixel({3, 300}).r, before.r) << "what stands there now";
+    EXPECT_GT(screen_->pixel({3, 300}).g, before.g) << "what is held";
+    screen_->button(false);
+}
+
 // A map that takes half a second: its first rows are new on the screen before its last.
 TEST_F(Drag, AMapThatTakesLongFollowsInPartsAndEndsWhole) {
     open(

@@ -301,6 +301,19 @@ TEST_F(Work, OfATweakThatHasGoneOutOfTheTextWaitsForTheNextRun) {
     EXPECT_TRUE(enter_until([&] { return red() == moved; })) << red();
 }
 
+TEST_F(Work, OfATweakThatHasComeBackIsAskedFor) {
+    open_look();
+    const int moved = change();
+    const std::string with = read(scene());
+    write(scene(), "void mainImage(out vec4 c, in vec2 p) { c = vec4(0.7, 0.2, 0.3, 1); }\n");
+    EXPECT_TRUE(eventually([&] { return red() == 179; })) << red();
+    write(scene(), with);
+    EXPECT_TRUE(eventually([&] { return red() == moved; })) << red();
+    screen_->tap("Control_L+q");
+    EXPECT_TRUE(asks());
+    EXPECT_TRUE(glint_->runs());
+}
+
 TEST_F(Work, IsSavedWhereItsFileHasBeenDeleted) {
     open_look();
     change();

@@ -19,9 +19,10 @@ namespace {
 
 constexpr std::size_t kLoopEnds = 16;  // sets of tweaks
 constexpr int kLoopSpread = 8;         // points within all ranges
-// A day, when a float's steps are 0.008 s, and a year. Less than half a step that is added to such
-// a clock is lost, and so a loop may never end.
-constexpr double kLate[] = {86400.0, 31536000.0};  // s
+// A day, when a float's steps are 0.008 s, a month with steps of 0.25 s, and a year with those of
+// 2 s. Less than half a step that is added to such a clock is lost, and so a loop may never end,
+// while the end itself is not lost yet.
+constexpr double kLate[] = {86400.0, 2592000.0, 31536000.0};  // s
 
 constexpr double kLoopShare = 0.03;
 

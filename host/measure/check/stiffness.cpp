@@ -213,6 +213,15 @@ std::vector<std::vector<TweakValue>> values_at(const CheckSubject& subject) {
     return {all_at(subject, false), all_at(subject, true)};
 }
 
+// Whether a shorter step ends what goes to and fro; else that is what it is to do. `half` has been
+// played with half the step.
+bool calms_down(Stepped& stepped, const std::vector<TweakValue>& values, const Course& half) {
+    if (!stepped.chatters(half)) return true;
+    for (const long part : {4, 16, 64})
+        if (!stepped.chatters(stepped.play(kParts / part, values, kStiffPlayed))) return true;
+    return false;
+}
+
 // How many times the step in use is stable, with each of these values; by doubling, then halving.
 double largest_stable(Stepped& stepped, const std::vector<TweakValue>& values) {
     const Course usual = stepped.play(kParts, values, kStiffPlayed);
@@ -225,7 +234,7 @@ double largest_stable(Stepped& stepped, const std::vector<TweakValue>& values) {
     // What explodes by the step in use is none to compare with; with half of it it does so less.
     const Course half = stepped.play(kParts / 2, values, kStiffPlayed);
     if (usual.early > std::max(kBeyond * half.early, half.peak())) return 0.0;
-    if (usual_chatters && !stepped.chatters(half)) return 0.0;  // else it is what it is to do
+    if (usual_chatters && calms_down(stepped, values, half)) return 0.0;
     std::optional<Course> usual_for_long;
     const auto is_stable = [&](long parts) {
         Course course = stepped.play(parts, values, kStiffPlayed);

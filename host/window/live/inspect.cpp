@@ -3,6 +3,7 @@
 #include <glm/common.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace glint {
 namespace {
@@ -72,6 +73,10 @@ std::vector<GridPixel> pixel_grid(Playground& playground, const Output& output,
         }
     }
     return grid;
+}
+
+glm::dvec2 middle_of_pixel(glm::dvec2 mouse) {
+    return {std::floor(mouse.x) + 0.5, std::ceil(mouse.y) - 0.5};
 }
 
 std::vector<PixelValue> pixel_values(Playground& playground, glm::dvec2 at) {

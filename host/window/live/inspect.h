@@ -29,6 +29,10 @@ PixelFacts pixel_facts(Playground& playground, const Output& output);
 std::vector<GridPixel> pixel_grid(Playground& playground, const Output& output,
                                   const BufferView& view, const ScreenArea& area);
 
+// The middle of the screen's pixel that the mouse points to, both from the bottom left. Screens
+// count from the top: a whole number of rows is the upper edge of a pixel.
+glm::dvec2 middle_of_pixel(glm::dvec2 mouse);
+
 // The values of all buffers at one place, a fraction of the picture; none outside it.
 std::vector<PixelValue> pixel_values(Playground& playground, glm::dvec2 at);
 

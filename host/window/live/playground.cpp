@@ -178,6 +178,7 @@ Diagnostics Playground::put_in_place(const Preset& candidate, Programs programs,
     touched_ |= constants_ && *constants_ != preset->values;
     touched_ |= renderer_ && renderer_->has_maps_left();
     programs_.note_drawn(programs, is_text, renderer_.get(), !constants_);
+    const bool states_stay = is_text && written && has_states_of(*preset, next.values());
     renderer_ = std::move(renderer);
     preset_ = std::move(preset);
     constants_.reset();
@@ -185,7 +186,7 @@ Diagnostics Playground::put_in_place(const Preset& candidate, Programs programs,
     preset_->values.clear();
     tweaks = std::move(next);
     if (is_text) overruled_ = std::move(overruled);
-    forget_states();
+    if (!states_stay) forget_states();
     if (!is_text || !options_.specialise) programs_.tidy(*renderer_);
     if (!is_text && !renderer_->inputs_needed().empty()) load_missing_inputs();
     if (!is_text) return {};  // the picture is the same; nothing asks for a frame

@@ -309,6 +309,7 @@ private:
     void keep_maps();
     void keep_live_state();
     void notice_dropped_steps();
+    bool has_states_of(const Preset& preset, const std::vector<TweakValue>& values) const;
     void forget_states();
     bool states_depend_on_size() const;
     bool follows_time() const;
@@ -359,6 +360,7 @@ private:
     Recorder recent_;                        // for the steps of simulations
     InputState being_drawn_, drawn_inputs_;  // as the frame began
     Input drawn_input_;
+    glm::ivec2 drawn_mouse_size_{0};
     glm::vec4 drawn_date_{0.0f};
     Instant instant_;
     bool has_picture_ = false;

@@ -86,7 +86,8 @@ Frame Playground::next_frame(double wall_seconds) {
     frame.date = shadertoy_date(local_now(), 0.0);
     if (transport_.playing() && !instant_.jumped) replay_events(before, frame.time);
     being_drawn_ = input_;
-    frame.input = input_.next_frame(size_);
+    frame.input = input_.next_frame(still_size());
+    frame.mouse_size = still_size();
     frame.longest_catch_up = kLongestCatchUp;
     recorder.frame(frame.time);
     recent_.frame(frame.time);
@@ -146,6 +147,7 @@ bool Playground::draw(double wall_seconds) {
     context_.finish();
     drawn_inputs_ = being_drawn_;
     drawn_input_ = frame.input;
+    drawn_mouse_size_ = frame.mouse_size;
     drawn_date_ = frame.date;
     if (drawn) frame_ms_ = clock.ms();
     if (drawn) forget_slowness();
@@ -182,6 +184,7 @@ Frame Playground::frame_again() const {
     frame.frame = instant_.frame;
     frame.date = drawn_date_;
     frame.input = drawn_input_;
+    frame.mouse_size = drawn_mouse_size_;
     return frame;
 }
 

@@ -10,6 +10,7 @@ namespace glint {
 Frame Playground::frame_at_full_size() const {
     Frame frame = frame_again();
     frame.input.mouse = drawn_mouse(still_size());
+    frame.mouse_size = still_size();
     return frame;
 }
 

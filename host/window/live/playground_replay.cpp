@@ -43,7 +43,7 @@ void Playground::begin_replay(bool from_start) {
 // time, and those that follow count on from there.
 bool Playground::replay_slice(Frame& frame) {
     const Stopwatch clock;
-    const Playback playback{.end = frame.time};
+    const Playback playback{.end = frame.time, .mouse_size = still_size()};
     const int began = replay_at_;
     const auto measure = [&] {
         replayed_seconds_ += (replay_at_ - began) / playback.fps;
@@ -65,7 +65,7 @@ bool Playground::replay_slice(Frame& frame) {
     keep_start_state();
     replay_at_ = -1;
     Frame last = playback.frame(*preset_, replay_until_);
-    if (preset_->events.empty()) last.input = frame.input;
+    if (preset_->events.empty()) last.input = frame.input;  // of the same pixels
     last.date = frame.date;
     frame_offset_ += last.frame - instant_.frame;
     instant_.frame = last.frame;
@@ -118,6 +118,19 @@ bool Playground::states_depend_on_size() const {
         has_own_size &= !graph[i].feeds_state || is_sized || (reads_nothing && !graph[i].carries);
     }
     return !has_own_size || (!preset_->events.empty() && renderer_->reads_mouse());
+}
+
+// Whether a simulation of this preset and these values stands where that of what is open does.
+bool Playground::has_states_of(const Preset& preset, const std::vector<TweakValue>& values) const {
+    const auto is_same_channel = [](const Sampler& a, const Sampler& b) {
+        return same_input(a, b) && a.type == b.type && a.filter == b.filter && a.wrap == b.wrap &&
+               a.pass == b.pass && a.noise_channels == b.noise_channels &&
+               a.noise_size == b.noise_size && a.plays == b.plays;
+    };
+    return preset_ && preset.scene.text == preset_->scene.text &&
+           preset.events == preset_->events && preset.date == preset_->date &&
+           std::ranges::equal(preset.channels, preset_->channels, is_same_channel) &&
+           values == tweaks.values();
 }
 
 void Playground::forget_states() {

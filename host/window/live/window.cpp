@@ -326,8 +326,8 @@ void PlaygroundWindow::gather_pixels() {
     grid_ = pixel_grid(playground_, viewed, buffer_view(), area);
     if (!settings_.view.inspect) return;
     pixel_facts_ = pixel_facts(playground_, viewed);
-    pixel_values_ =
-        pixel_values(playground_, Viewer::fraction_at(mouse_, size, buffer_view(), area));
+    pixel_values_ = pixel_values(
+        playground_, Viewer::fraction_at(middle_of_pixel(mouse_), size, buffer_view(), area));
 }
 
 Facts PlaygroundWindow::facts() {

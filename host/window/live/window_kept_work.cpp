@@ -89,8 +89,10 @@ void PlaygroundWindow::note_work() {
         const bool has_rested = is_other_text && !worked_in_[place_of(set)];
         if (values == file || has_rested) at_rest = values;
     }
+    // What waits for a tweak to come back is work, too.
     const TweakSet shown = playground_.tweaks.shown();
-    worked_in_[place_of(shown)] = has_worked(shown);
+    worked_in_[place_of(shown)] =
+        has_worked(shown) || (values_known_ && !playground_.tweaks.waiting().empty());
 }
 
 // As soon as something changes, and before the frame that shows it, which may be the last one.

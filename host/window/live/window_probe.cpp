@@ -31,8 +31,8 @@ const std::vector<std::string>& PlaygroundWindow::watch() const {
 std::optional<glm::dvec2> PlaygroundWindow::probed_place() const {
     if (settings_.probe.pinned) return settings_.probe.pinned;
     if (panels_.takes_mouse_at(mouse_)) return last_probed_;
-    const glm::dvec2 at =
-        Viewer::fraction_at(mouse_, playground_.size(), buffer_view(), view_area());
+    const glm::dvec2 at = Viewer::fraction_at(middle_of_pixel(mouse_), playground_.size(),
+                                              buffer_view(), view_area());
     const bool is_inside = at.x >= 0.0 && at.y >= 0.0 && at.x < 1.0 && at.y < 1.0;
     return is_inside ? std::optional(at) : std::nullopt;
 }
@@ -63,8 +63,8 @@ bool PlaygroundWindow::follow_probe() {
 // A click on the picture: that pixel, wherever the mouse goes. True where it was that.
 bool PlaygroundWindow::pin_probe(glm::dvec2 position) {
     if (!probes() || panels_.takes_mouse_at(position)) return false;
-    const glm::dvec2 at =
-        Viewer::fraction_at(position, playground_.size(), buffer_view(), view_area());
+    const glm::dvec2 at = Viewer::fraction_at(middle_of_pixel(position), playground_.size(),
+                                              buffer_view(), view_area());
     if (at.x < 0.0 || at.y < 0.0 || at.x >= 1.0 || at.y >= 1.0) return false;
     settings_.probe.pinned = at;
     return true;

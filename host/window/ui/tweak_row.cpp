@@ -107,7 +107,8 @@ void lock_button(Build& build, std::size_t index) {
 
 void tweak_row(Build& build, TweaksState& state, std::size_t index) {
     const Theme& theme = build.theme;
-    ImGui::PushID(static_cast<int>(index));
+    // By its name: what is held stays held where a save brings it to another place.
+    ImGui::PushID(build.facts.scene->tweaks[index].name.c_str());
     const float lock = ImGui::GetFrameHeight();
     const float whole = ImGui::GetContentRegionAvail().x;
     const float left = ImGui::GetCursorPosX();
