@@ -16,25 +16,14 @@ void complain() {
                          GL_DEBUG_SEVERITY_HIGH, -1, "no memory");
 }
 
-// A scene that reads a picture which goes to the driver in pieces.
-class LargePicture : public GlTest {
+class OpenScene : public GlTest {
 protected:
     void SetUp() override {
         GlTest::SetUp();
         if (IsSkipped()) return;
-        write_image(folder_.path() / "large.png",
-                    {.size = {kSide, kSide},
-                     .channels = 3,
-                     .type = ChannelType::u8,
-                     .pixels = std::vector<std::byte>(3 * kSide * kSide, std::byte{127})});
-        const fs::path scene =
-            folder_.write("scene.frag",
-                          "uniform sampler2D large; //@ image large.png filter=mipmap\n"
-                          "void mainImage(out vec4 c, in vec2 p) { c = texture(large, p); }\n");
         trial_.emplace(TrialOptions{.device = "", .program = GLINT_BINARY});
         playground_.emplace(*shared_context.context, *trial_, glm::ivec2(32, 18),
                             PlaygroundOptions{.device = "", .specialise = false});
-        playground_->open(scene);
     }
     // Goes on until this is so; false where it never is.
     bool follows_until(const std::function<bool()>& is_so) {
@@ -44,14 +33,40 @@ protected:
         }
         return is_so();
     }
+    static std::string text(const std::string& added) {
+        return "uniform sampler2D s; //@ pass mainS size=4x4 step=1/60\n"
+               "void mainS(out vec4 c, in vec2 p) { c = texelFetch(s, ivec2(p), 0) + " +
+               added +
+               "; }\n"
+               "void mainImage(out vec4 c, in vec2 p) { c = texelFetch(s, ivec2(0), 0); }\n";
+    }
+
+    TestFolder folder_;
+    std::optional<Trial> trial_;
+    std::optional<Playground> playground_;
+};
+
+// A scene that reads a picture which goes to the driver in pieces.
+class LargePicture : public OpenScene {
+protected:
+    void SetUp() override {
+        OpenScene::SetUp();
+        if (IsSkipped()) return;
+        write_image(folder_.path() / "large.png",
+                    {.size = {kSide, kSide},
+                     .channels = 3,
+                     .type = ChannelType::u8,
+                     .pixels = std::vector<std::byte>(3 * kSide * kSide, std::byte{127})});
+        playground_->open(
+            folder_.write("scene.frag",
+                          "uniform sampler2D large; //@ image large.png filter=mipmap\n"
+                          "void mainImage(out vec4 c, in vec2 p) { c = texture(large, p); }\n"));
+    }
     bool is_told() const {
         return to_text(playground_->diagnostics()).find("no memory") != std::string::npos;
     }
 
     static constexpr int kSide = 5000;  // pixels
-    TestFolder folder_;
-    std::optional<Trial> trial_;
-    std::optional<Playground> playground_;
 };
 
 TEST_F(LargePicture, ThatTheDriverHasNoRoomForIsLeftOut) {
@@ -73,6 +88,31 @@ TEST_F(LargePicture, ThatTheDriverRefusesOnItsWayIsLeftOut) {
     EXPECT_TRUE(is_told()) << to_text(playground_->diagnostics());
     EXPECT_FALSE(playground_->is_loading());
     take_complaint();
+}
+
+// What a replay goes on from hangs on text, values, events and inputs, and on nothing else that a
+// preset says.
+TEST_F(OpenScene, KeepsItsStatesOverASaveOfWhatTheyDoNotHangOn) {
+    const fs::path scene = folder_.write("sim.frag", text("0.01"));
+    const fs::path look = folder_.write("look.toml", "scene = \"sim.frag\"\n");
+    playground_->open(look);
+    ASSERT_TRUE(follows_until([&] { return playground_->is_open(); }));
+    for (int i = 0; i < 80; ++i) playground_->draw(0.02);
+    const std::vector<double> kept = playground_->kept_states();
+    ASSERT_FALSE(kept.empty());
+    const auto saves = [&](const fs::path& file, const std::string& words) {
+        const std::size_t before = playground_->report_count();
+        folder_.write(file.filename().string(), words);
+        return follows_until([&] {
+            playground_->draw(0.0);
+            return playground_->report_count() > before;
+        });
+    };
+    ASSERT_TRUE(saves(look, "scene = \"sim.frag\"\ntitle = \"waves\"\ntime = 0.5\n"));
+    EXPECT_EQ(playground_->preset()->title, "waves");
+    EXPECT_EQ(playground_->kept_states(), kept);
+    ASSERT_TRUE(saves(scene, text("0.02")));
+    EXPECT_TRUE(playground_->kept_states().empty());
 }
 
 }  // namespace
