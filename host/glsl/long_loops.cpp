@@ -58,8 +58,10 @@ private:
                                 "turns",
                                 {}});
         if (turns_[loop] < kBudget || long_within_[loop]) return;
-        const std::string turns = turns_[loop] < 1e9 ? fmt::format("{:.0f}", turns_[loop])
-                                                     : fmt::format("{:.1e}", turns_[loop]);
+        const double count = turns_[loop];
+        const std::string turns = count == kEndless ? "endlessly many"
+                                  : count < 1e9     ? fmt::format("{:.0f}", count)
+                                                    : fmt::format("{:.1e}", count);
         findings.push_back(
             {"long-loop",
              at,

@@ -138,6 +138,12 @@ private:
         return best;
     }
 
+    // Less than half a step of a float that is added to one; whole numbers may be ints.
+    static bool is_lost(double start, double by) {
+        const auto from = static_cast<float>(start);
+        return by != std::floor(by) && from + static_cast<float>(by) == from;
+    }
+
     LoopBound counted(const Variable& variable, double by, std::string_view op,
                       TokenRange limit) const {
         const LoopBound some{LoopBound::Kind::some};
@@ -145,7 +151,9 @@ private:
         const bool rises = op == "<" || op == "<=", falls = op == ">" || op == ">=";
         if (!end || by == 0.0 || op == "==" || (rises && by < 0.0) || (falls && by > 0.0))
             return some;
-        const double turns = std::ceil((*end - start_of(variable)) / by);
+        const double start = start_of(variable);
+        if (is_lost(start, by)) return {LoopBound::Kind::number, kEndless};
+        const double turns = std::ceil((*end - start) / by);
         if (op == "!=" && turns < 0.0) return some;
         return {LoopBound::Kind::number, std::max(turns, 0.0) + (op.size() == 2 ? 1.0 : 0.0)};
     }

@@ -3,7 +3,12 @@
 
 #include "glsl/constants.h"
 
+#include <limits>
+
 namespace glint {
+
+// As many turns as no loop takes: what is added to its counter is lost.
+inline constexpr double kEndless = std::numeric_limits<double>::infinity();
 
 struct LoopBound {
     enum class Kind : std::uint8_t {

@@ -196,7 +196,7 @@ void Linter::find_undescribed() {
 }
 
 void Linter::look_into_functions() {
-    std::unordered_map<std::string_view, double> values;
+    std::unordered_map<std::string_view, double> values{{"iTime", preset_.time}};
     for (std::size_t i = 0; i < scene_.tweaks.size(); ++i)
         if (component_count(scene_.tweaks[i].type) == 1)
             values[scene_.tweaks[i].name] = preset_.values[i][0];

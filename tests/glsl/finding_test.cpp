@@ -192,6 +192,10 @@ TEST(LongLoops, AreThoseWhoseTurnsTogetherPassTheBudget) {
                     "    for (int i = 0; i < (b ? 0 : 60000); ++i) ;\n"
                     "}\n"),
               List{"long-loop 2"});
+    const char* of_a_clock = "void f() { for (float t = iTime; t < iTime + 1.0; t += 0.01) ; }\n";
+    EXPECT_EQ(found(of_a_clock, {{"iTime", 86400.0}}), List{});
+    EXPECT_EQ(found(of_a_clock, {{"iTime", 2592000.0}}), List{"long-loop 1"})
+        << "a float of that age holds no such steps";
     EXPECT_EQ(found("void f() {\n for (;;) ;\n}\n"), List{"loop-without-bound 2"});
     EXPECT_EQ(found("void f() {\n float x = 0.0; while (x < 3.0) { x = 1.0; }\n}\n"),
               List{"loop-without-bound 2"});

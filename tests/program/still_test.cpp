@@ -193,6 +193,7 @@ TEST_F(Still, TellsOfLoopsThatTheDriverHasEnded) {
     const std::string long_one = said("\nfor (int i = 0; i < 70000; i++) s += 0.1;");
     EXPECT_EQ(long_one.find("a.frag:2:1: warning: llvmpipe has ended loops of image"), 0)
         << long_one;
+    EXPECT_EQ(said("\nfor (float t = iTime; t < iTime + 50.0; t += 5e-4) s += 0.1;"), long_one);
     EXPECT_EQ(said("for (int i = 0; i < 70000; i++) { s += 0.1; if (s > 9.0) break; }"), "");
     EXPECT_EQ(said("\n//@ allow long-loop\nfor (int i = 0; i < 70000; i++) s += 0.1;"), "");
 }
