@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -153,6 +154,7 @@ public:
 
 private:
     using Lines = std::vector<TomlLine>;
+    using Names = std::vector<std::string>;
 
     void edit_root();
     void edit_tweaks();
@@ -168,6 +170,10 @@ private:
     void remove_tables(const toml::array& tables);
     void merge(const toml::table& table, std::size_t otherwise_at, const Lines& lines);
     void set_root(std::string_view key, bool same, const std::string& value);
+    void set_names(std::string_view key, const Names& was, const Names& names);
+    bool edit_names(const toml::array& list, const Names& names);
+    std::size_t behind_comma(const toml::node& value) const;
+    void remove_from_list(const toml::node& value);
     void add_lines(std::string_view table, std::size_t otherwise_at, const Lines& lines);
     Lines channel(const Preset& preset, std::size_t index) const;
     Lines quality(const Preset& preset, std::string_view name) const;
@@ -204,13 +210,77 @@ void Editor::edit_root() {
     set_root("settle", preset_.settle == old_.settle, fmt::format("{}", preset_.settle));
     const std::string date = toml_date(preset_.date);
     set_root("date", date == toml_date(old_.date), date);
-    const auto list = [](const std::vector<std::string>& names) {
-        std::vector<std::string> quoted;
-        for (const std::string& each : names) quoted.push_back(toml_string(each));
-        return fmt::format("[{}]", fmt::join(quoted, ", "));
-    };
-    set_root("locked", preset_.locked == old_.locked, list(preset_.locked));
-    set_root("watch", preset_.watch == old_.watch, list(preset_.watch));
+    set_names("locked", old_.locked, preset_.locked);
+    set_names("watch", old_.watch, preset_.watch);
+}
+
+std::string joined(std::span<const std::string> names) {
+    std::string text;
+    for (const std::string& each : names)
+        text += fmt::format("{}{}", text.empty() ? "" : ", ", toml_string(each));
+    return text;
+}
+
+// A list with comments in it keeps them.
+void Editor::set_names(std::string_view key, const Names& was, const Names& names) {
+    const toml::node* node = was == names ? nullptr : layout_.get(key);
+    const toml::array* list = node ? node->as_array() : nullptr;
+    const bool has_comment = list && layout_.spelled(*list).find('#') != std::string::npos;
+    if (!has_comment || !edit_names(*list, names))
+        set_root(key, was == names, fmt::format("[{}]", joined(names)));
+}
+
+// Names come and go one by one. False, and nothing is changed, where commas stand elsewhere than
+// right behind them.
+bool Editor::edit_names(const toml::array& list, const Names& names) {
+    std::vector<const toml::node*> kept, gone;
+    for (const toml::node& one : list) {
+        const bool is_last = &one == &list.back();
+        if (!is_last && behind_comma(one) == layout_.offset(one.source().end)) return false;
+        const auto name = one.value<std::string>();
+        const bool stays = name && kept.size() < names.size() && *name == names[kept.size()];
+        (stays ? kept : gone).push_back(&one);
+    }
+    for (const toml::node* one : gone) remove_from_list(*one);
+    const std::span<const std::string> added = std::span(names).subspan(kept.size());
+    if (added.empty()) return true;
+    const std::size_t bracket = layout_.offset(list.source().end) - 1;
+    const std::size_t line = layout_.line_begin(bracket);
+    const std::size_t last = kept.empty() ? bracket : layout_.offset(kept.back()->source().end);
+    const std::size_t behind = kept.empty() ? bracket : behind_comma(*kept.back());
+    if (!kept.empty() && behind == last) insert(last, ",");
+    if (layout_.text.find_first_not_of(" \t", line) != bracket) {
+        insert(behind, (kept.empty() ? "" : " ") + joined(added));
+        return true;
+    }
+    const std::size_t first = list.empty() ? bracket : layout_.offset(list.front().source().begin);
+    const std::size_t margin = layout_.line_begin(first);
+    const bool is_indented =
+        !list.empty() && layout_.text.find_first_not_of(" \t", margin) == first;
+    const std::string indent(is_indented ? layout_.text.substr(margin, first - margin) : "    ");
+    for (const std::string& each : added)
+        insert(line, fmt::format("{}{},\n", indent, toml_string(each)));
+    return true;
+}
+
+// Where the value of a list ends, with its comma if that stands right behind it.
+std::size_t Editor::behind_comma(const toml::node& value) const {
+    const std::size_t end = layout_.offset(value.source().end);
+    const std::size_t word = layout_.text.find_first_not_of(" \t", end);
+    return word != std::string::npos && layout_.text[word] == ',' ? word + 1 : end;
+}
+
+// With the comment beside it, where it has a line of its own.
+void Editor::remove_from_list(const toml::node& value) {
+    const std::size_t begin = layout_.offset(value.source().begin), end = behind_comma(value);
+    const std::size_t line = layout_.line_begin(begin);
+    const std::size_t next = layout_.text.find_first_not_of(" \t", end);
+    const bool is_alone = layout_.text.find_first_not_of(" \t", line) == begin &&
+                          std::string_view("#\r\n").find(layout_.text[next]) != std::string::npos;
+    if (is_alone)
+        edits_.push_back({line, layout_.line_end(end), ""});
+    else
+        edits_.push_back({begin, next, ""});
 }
 
 void Editor::set_root(std::string_view key, bool same, const std::string& value) {

@@ -232,6 +232,31 @@ TEST_F(PresetWriter, LocksAreAListThatIsWrittenWhereItStands) {
     EXPECT_EQ(save(preset).find("locked"), std::string::npos) << "none, and none was written";
 }
 
+TEST_F(PresetWriter, AListKeepsTheCommentsInIt) {
+    const std::string head = "scene = \"../fragments/boat.frag\"\n";
+    const auto saved = [&](const std::string& list, const std::vector<std::string>& names) {
+        Preset preset = read(head + list);
+        preset.locked = names;
+        return save(preset, head + list).substr(head.size());
+    };
+    const std::string list =
+        "locked = [  # mine\n  \"depth\",  # of the sea\n  \"shift\"   # of the sun\n]\n";
+    EXPECT_EQ(saved(list, {"depth", "shift", "gone"}),
+              "locked = [  # mine\n  \"depth\",  # of the sea\n  \"shift\",   # of the sun\n"
+              "  \"gone\",\n]\n");
+    EXPECT_EQ(saved(list, {"shift"}), "locked = [  # mine\n  \"shift\"   # of the sun\n]\n");
+    EXPECT_EQ(saved(list, {"depth"}), "locked = [  # mine\n  \"depth\",  # of the sea\n]\n");
+    EXPECT_EQ(saved(list, {"shift", "depth"}),
+              "locked = [  # mine\n  \"shift\",   # of the sun\n  \"depth\",\n]\n");
+    EXPECT_EQ(saved(list, {}), "locked = [  # mine\n]\n");
+    const std::string row = "locked = [ # both\n\"depth\", \"shift\" ]\n";
+    EXPECT_EQ(saved(row, {"shift", "gone"}), "locked = [ # both\n\"shift\", \"gone\" ]\n");
+    EXPECT_EQ(saved(row, {"depth"}), "locked = [ # both\n\"depth\", ]\n");
+    EXPECT_EQ(saved("locked = [ # none\n]\n", {"depth"}), "locked = [ # none\n    \"depth\",\n]\n");
+    const std::string comma = "locked = [ # both\n\"depth\" # one\n, \"shift\" ]\n";
+    EXPECT_EQ(saved(comma, {"shift"}), "locked = [\"shift\"]\n");
+}
+
 TEST_F(PresetWriter, WhatIsWatchedIsAListOfItsOwn) {
     const std::string text = "scene = \"../fragments/boat.frag\"\nwatch = [\"nor@12\"] # mine\n";
     Preset preset = read(text);
