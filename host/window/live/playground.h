@@ -292,7 +292,6 @@ private:
     void replay_events(double from, double to);
     Frame frame_again() const;
     Frame frame_at_full_size() const;
-    glm::vec4 drawn_mouse(glm::ivec2 size) const;  // iMouse of that frame at another size
     Programs still_programs() const {
         const bool refused = reloader_.programs() == Programs::uniforms_for_good;
         return refused ? Programs::uniforms : Programs::constants;

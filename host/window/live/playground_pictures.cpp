@@ -6,17 +6,13 @@
 
 namespace glint {
 
-// At the full size, whatever the screen shows; from the buffers as they stand.
+// At the full size, whatever the screen shows; from the buffers as they stand. From where the mouse
+// was: of a pixel of another size the place in it is not known.
 Frame Playground::frame_at_full_size() const {
     Frame frame = frame_again();
-    frame.input.mouse = drawn_mouse(still_size());
+    frame.input.mouse = InputState(drawn_inputs_).next_frame(still_size()).mouse;
     frame.mouse_size = still_size();
     return frame;
-}
-
-// From where the mouse was: of a pixel of another size the place in it is not known.
-glm::vec4 Playground::drawn_mouse(glm::ivec2 size) const {
-    return InputState(drawn_inputs_).next_frame(size).mouse;
 }
 
 Image Playground::still() {
@@ -75,6 +71,7 @@ RefineOrder Playground::refine_order() const {
                       .frame = frame.frame,
                       .date = frame.date,
                       .input = frame.input,
+                      .mouse_size = frame.mouse_size,
                       .state = renderer_->state()};
     order.preset.size = still_size();
     return order;

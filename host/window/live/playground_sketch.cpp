@@ -101,7 +101,6 @@ void Playground::start_sketch() {
     order.given = standing_buffers(all);
     note_texts(order.given);
     draw_coarsely(order);
-    order.input.mouse = drawn_mouse(order.preset.size);
     if (sketcher_.process() != 0) note_known(order.given, known_to_sketch_);
     read_buffers(order.given, sketcher_.memory());
     sketcher_.start(order);
@@ -117,7 +116,8 @@ RefineOrder Playground::order_of(Preset preset) const {
                       .frame_rate = frame.frame_rate,
                       .frame = frame.frame,
                       .date = frame.date,
-                      .input = frame.input};
+                      .input = frame.input,
+                      .mouse_size = frame.mouse_size};
     order.preset.size = size_;
     return order;
 }

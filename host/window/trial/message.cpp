@@ -92,10 +92,10 @@ void members(const auto& all, Is<GivenBuffer> auto& value) {
     all(pass, feeds_state, text_hash, reads, size, outputs, begin, is_known);
 }
 void members(const auto& all, Is<RefineOrder> auto& value) {
-    auto& [preset, specialise, samples, time, time_delta, frame_rate, frame, date, input, state,
-           given] = value;
-    all(preset, specialise, samples, time, time_delta, frame_rate, frame, date, input, state,
-        given);
+    auto& [preset, specialise, samples, time, time_delta, frame_rate, frame, date, input,
+           mouse_size, state, given] = value;
+    all(preset, specialise, samples, time, time_delta, frame_rate, frame, date, input, mouse_size,
+        state, given);
 }
 void members(const auto& all, Is<ProbeOrder> auto& value) {
     auto& [number, subject, instant, scene, pass, pixel, colour, lines, map, line, column, file,

@@ -41,6 +41,7 @@ Frame frame_of(const RefineOrder& order) {
     frame.frame = order.frame;
     frame.date = order.date;
     frame.input = order.input;
+    frame.mouse_size = order.mouse_size;
     return frame;
 }
 

@@ -35,6 +35,7 @@ struct RefineOrder {
     int frame = 0;
     glm::vec4 date{0.0f};
     Input input{};
+    glm::ivec2 mouse_size{0};  // as of a Frame
     std::vector<PassState> state{};
     std::vector<GivenBuffer> given{};  // to a sketch
 };
