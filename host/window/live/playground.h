@@ -289,6 +289,7 @@ private:
     }
     void leave_constants();
     Frame next_frame(double wall_seconds);
+    void take_events_up_to(double time);
     void replay_events(double from, double to);
     Frame frame_again() const;
     Frame frame_at_full_size() const;

@@ -84,6 +84,7 @@ Frame Playground::next_frame(double wall_seconds) {
     frame.frame_rate = instant_.frame_rate;
     frame.frame = instant_.frame;
     frame.date = shadertoy_date(local_now(), 0.0);
+    if (instant_.jumped && frame.time > 0.0 && !recorder.recording()) take_events_up_to(frame.time);
     if (transport_.playing() && !instant_.jumped) replay_events(before, frame.time);
     being_drawn_ = input_;
     frame.input = input_.next_frame(still_size());
@@ -95,6 +96,14 @@ Frame Playground::next_frame(double wall_seconds) {
     recent_.forget_before(frame.time - 4.0 * kLongestCatchUp);
     frame.events = recent_.events();
     return frame;
+}
+
+// After a jump the preset's events have brought the input to where they do in a still.
+void Playground::take_events_up_to(double time) {
+    if (preset_->events.empty()) return;
+    input_ = {};
+    for (const Event& event : preset_->events)
+        if (event.time <= time) input_.apply(event);
 }
 
 // The preset's events go on while time does, also when a person has taken over.
