@@ -228,6 +228,15 @@ void add_default_verb(std::vector<std::string>& arguments) {
     arguments.insert(arguments.begin(), "open");
 }
 
+// `--size=$SIZE` of an empty variable, for which the next word would be taken.
+void require_values(std::span<const std::string> arguments) {
+    for (const std::string& word : arguments) {
+        if (word == "--") return;
+        if (word.starts_with("--") && word.find('=') == word.size() - 1)
+            throw UsageError(fmt::format("{} has no value behind the `=`.", word));
+    }
+}
+
 int run(int argc, char** argv) {
     const Stopwatch since_start;
     open_what_is_closed();
@@ -247,6 +256,7 @@ int run(int argc, char** argv) {
         if (arguments.empty()) return say_first_commands({});
 #endif
         add_default_verb(arguments);
+        require_values(arguments);
         std::ranges::reverse(arguments);  // CLI11 takes them from the back
         try {
             app.parse(std::move(arguments));

@@ -144,6 +144,13 @@ private:
         return by != std::floor(by) && from + static_cast<float>(by) == from;
     }
 
+    // In floats, as a shader compares.
+    static bool holds(double side, std::string_view op, double limit) {
+        const auto a = static_cast<float>(side), b = static_cast<float>(limit);
+        return (op.starts_with('<') && a < b) || (op.starts_with('>') && a > b) ||
+               (op.ends_with('=') && op != "!=" && a == b) || (op == "!=" && a != b);
+    }
+
     LoopBound counted(const Variable& variable, double by, std::string_view op,
                       TokenRange limit) const {
         const LoopBound some{LoopBound::Kind::some};
@@ -152,7 +159,8 @@ private:
         if (!end || by == 0.0 || op == "==" || (rises && by < 0.0) || (falls && by > 0.0))
             return some;
         const double start = start_of(variable);
-        if (is_lost(start, by)) return {LoopBound::Kind::number, kEndless};
+        if (is_lost(start, by) && holds(start, op, *end))
+            return {LoopBound::Kind::number, kEndless};
         const double turns = std::ceil((*end - start) / by);
         if (op == "!=" && turns < 0.0) return some;
         return {LoopBound::Kind::number, std::max(turns, 0.0) + (op.size() == 2 ? 1.0 : 0.0)};

@@ -8,11 +8,13 @@
 #include "media/parts.h"
 
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstring>
 #include <exception>
 #include <future>
 #include <optional>
@@ -160,6 +162,15 @@ public:
 
     std::string name() const { return "/proc/self/fd/" + std::to_string(descriptor_); }
 
+    // The limit of files' sizes is that of memory's, too, and what the library writes when it
+    // closes a small file fails without a word.
+    bool is_cut() const {
+        ::rlimit most{};
+        ::getrlimit(RLIMIT_FSIZE, &most);
+        const ::off_t size = ::lseek(descriptor_, 0, SEEK_END);
+        return most.rlim_cur != RLIM_INFINITY && static_cast<::rlim_t>(size) >= most.rlim_cur;
+    }
+
     void copy_to(TemporaryFile& out) const {
         std::vector<std::byte> bytes(std::size_t{1} << 20);
         ::lseek(descriptor_, 0, SEEK_SET);
@@ -282,6 +293,7 @@ void write_parts(const fs::path& file, const PartsFile& content) {
                                             cause.size())) {
         throw cannot_write(file, cause.data());
     }
+    if (memory.is_cut()) throw cannot_write(file, std::strerror(EFBIG));
     memory.copy_to(out);
     out.commit();
 }

@@ -178,10 +178,11 @@ Diagnostic given_up(const Preset& preset, std::size_t pass, const std::string& w
     // Mesa 22.3 divides constants with the processor, which has no answer to -2147483648 / -1.
     const bool divides = why.find(::strsignal(SIGFPE)) != std::string::npos;
     return {Severity::error, entry_place(preset.scene, name),
-            fmt::format("pass {}: the driver {}; is there {}?", name, why,
-                        divides ? "a division of the int -2147483648 by -1, both constants"
-                                : "a huge array, a macro that grows, or an expression or a chain "
-                                  "of calls nested too deep")};
+            fmt::format(
+                "pass {}: the driver {}; is there {}?", name, why,
+                divides ? "a division or a remainder of the int -2147483648 by -1, both constants"
+                        : "a huge array, a macro that grows, or an expression or a chain "
+                          "of calls nested too deep")};
 }
 
 namespace {

@@ -469,7 +469,9 @@ Preset run_sequence(const SequenceOptions& options) {
     if (has_work && !options.state.save.empty() && run.next <= last) leave_state(run, last);
     output.finish();
     print_result(options, run, clock.ms());
-    return preset;
+    Preset drawn = preset;
+    drawn.time = playback.end;
+    return drawn;
 }
 
 }  // namespace glint

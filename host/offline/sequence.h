@@ -7,7 +7,7 @@
 namespace glint {
 
 // Throws what main() turns into exit codes. Frame k is, bit for bit, the still of `--frame k`.
-// Gives back what was drawn.
+// Gives back what was drawn, at its last frame.
 Preset run_sequence(const SequenceOptions& options);
 
 }  // namespace glint

@@ -90,10 +90,9 @@ void part_operators_at_uses(const Reading& reading, Edits& edits) {
             make_an_operator(reading.tokens[end - 1], reading.tokens[end])) {
             edits.write_out(use);
             edits.after(end - 1, " ");
-        } else if (begin > 0 &&
-                   make_an_operator(reading.tokens[begin - 1], reading.tokens[begin])) {
-            edits.before(begin, " ");
         }
+        if (begin > 0 && make_an_operator(reading.tokens[begin - 1], reading.tokens[begin]))
+            edits.before(begin, " ");
     }
 }
 

@@ -195,12 +195,24 @@ void Linter::find_undescribed() {
                             tweak.name));
 }
 
+bool declares(const Reading& reading, std::string_view name) {
+    return std::ranges::any_of(reading.declarations, [&](const Declaration& declaration) {
+        return std::ranges::any_of(declaration.names, [&](const Declarator& one) {
+            return reading.word(one.name) == name;
+        });
+    });
+}
+
 void Linter::look_into_functions() {
-    std::unordered_map<std::string_view, double> values{{"iTime", preset_.time}};
+    std::unordered_map<std::string_view, double> values;
     for (std::size_t i = 0; i < scene_.tweaks.size(); ++i)
         if (component_count(scene_.tweaks[i].type) == 1)
             values[scene_.tweaks[i].name] = preset_.values[i][0];
     for (const PassView& view : views_) {
+        if (declares(view.reading, "iTime"))
+            values.erase("iTime");
+        else
+            values["iTime"] = preset_.time;
         const auto add_all = [&](const std::vector<Finding>& found) {
             for (const Finding& one : found) {
                 std::string text = one.text;

@@ -171,7 +171,8 @@ private:
     void merge(const toml::table& table, std::size_t otherwise_at, const Lines& lines);
     void set_root(std::string_view key, bool same, const std::string& value);
     void set_names(std::string_view key, const Names& was, const Names& names);
-    bool edit_names(const toml::array& list, const Names& names);
+    bool edit_names(const toml::array& list, Names names);
+    bool has_comma(std::size_t begin, std::size_t end) const;
     std::size_t behind_comma(const toml::node& value) const;
     void remove_from_list(const toml::node& value);
     void add_lines(std::string_view table, std::size_t otherwise_at, const Lines& lines);
@@ -221,30 +222,32 @@ std::string joined(std::span<const std::string> names) {
     return text;
 }
 
-// A list with comments in it keeps them.
+// In any order. A list with comments in it keeps them.
 void Editor::set_names(std::string_view key, const Names& was, const Names& names) {
-    const toml::node* node = was == names ? nullptr : layout_.get(key);
+    if (std::ranges::is_permutation(was, names)) return;
+    const toml::node* node = layout_.get(key);
     const toml::array* list = node ? node->as_array() : nullptr;
     const bool has_comment = list && layout_.spelled(*list).find('#') != std::string::npos;
     if (!has_comment || !edit_names(*list, names))
-        set_root(key, was == names, fmt::format("[{}]", joined(names)));
+        set_root(key, false, fmt::format("[{}]", joined(names)));
 }
 
 // Names come and go one by one. False, and nothing is changed, where commas stand elsewhere than
 // right behind them.
-bool Editor::edit_names(const toml::array& list, const Names& names) {
+bool Editor::edit_names(const toml::array& list, Names names) {
+    const std::size_t bracket = layout_.offset(list.source().end) - 1;
     std::vector<const toml::node*> kept, gone;
     for (const toml::node& one : list) {
+        const std::size_t end = layout_.offset(one.source().end);
         const bool is_last = &one == &list.back();
-        if (!is_last && behind_comma(one) == layout_.offset(one.source().end)) return false;
-        const auto name = one.value<std::string>();
-        const bool stays = name && kept.size() < names.size() && *name == names[kept.size()];
-        (stays ? kept : gone).push_back(&one);
+        if (behind_comma(one) == end && (!is_last || has_comma(end, bracket))) return false;
+        const auto found = std::ranges::find(names, one.value_or(std::string()));
+        (found == names.end() ? gone : kept).push_back(&one);
+        if (found != names.end()) names.erase(found);
     }
     for (const toml::node* one : gone) remove_from_list(*one);
-    const std::span<const std::string> added = std::span(names).subspan(kept.size());
+    const Names& added = names;
     if (added.empty()) return true;
-    const std::size_t bracket = layout_.offset(list.source().end) - 1;
     const std::size_t line = layout_.line_begin(bracket);
     const std::size_t last = kept.empty() ? bracket : layout_.offset(kept.back()->source().end);
     const std::size_t behind = kept.empty() ? bracket : behind_comma(*kept.back());
@@ -261,6 +264,15 @@ bool Editor::edit_names(const toml::array& list, const Names& names) {
     for (const std::string& each : added)
         insert(line, fmt::format("{}{},\n", indent, toml_string(each)));
     return true;
+}
+
+// Outside of comments.
+bool Editor::has_comma(std::size_t begin, std::size_t end) const {
+    for (std::size_t at = begin; at < end; ++at) {
+        if (layout_.text[at] == ',') return true;
+        if (layout_.text[at] == '#') at = layout_.line_end(at) - 1;
+    }
+    return false;
 }
 
 // Where the value of a list ends, with its comma if that stands right behind it.

@@ -196,6 +196,9 @@ TEST(LongLoops, AreThoseWhoseTurnsTogetherPassTheBudget) {
     EXPECT_EQ(found(of_a_clock, {{"iTime", 86400.0}}), List{});
     EXPECT_EQ(found(of_a_clock, {{"iTime", 2592000.0}}), List{"long-loop 1"})
         << "a float of that age holds no such steps";
+    for (const char* none : {"void f() { for (float t = iTime; t < 10.0; t += 0.01) ; }\n",
+                             "void f() { for (float t = iTime; t < iTime + 0.05; t += 0.01) ; }\n"})
+        EXPECT_EQ(found(none, {{"iTime", 2592000.0}}), List{}) << none;
     EXPECT_EQ(found("void f() {\n for (;;) ;\n}\n"), List{"loop-without-bound 2"});
     EXPECT_EQ(found("void f() {\n float x = 0.0; while (x < 3.0) { x = 1.0; }\n}\n"),
               List{"loop-without-bound 2"});

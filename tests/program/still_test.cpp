@@ -194,6 +194,12 @@ TEST_F(Still, TellsOfLoopsThatTheDriverHasEnded) {
     EXPECT_EQ(long_one.find("a.frag:2:1: warning: llvmpipe has ended loops of image"), 0)
         << long_one;
     EXPECT_EQ(said("\nfor (float t = iTime; t < iTime + 50.0; t += 5e-4) s += 0.1;"), long_one);
+    const char* late =
+        "\nfor (float t = 0.0; t < 9e4; t += 1.0) { if (t > iTime * 3e4) break; s += t; }";
+    EXPECT_EQ(said(late), "");
+    const std::vector<std::string> four = {"still",  "a.frag", "-o",     "a.png",
+                                           "--size", "16x9",   "--time", "4"};
+    EXPECT_EQ(glint(four).err, long_one) << "of the time that is drawn";
     EXPECT_EQ(said("for (int i = 0; i < 70000; i++) { s += 0.1; if (s > 9.0) break; }"), "");
     EXPECT_EQ(said("\n//@ allow long-loop\nfor (int i = 0; i < 70000; i++) s += 0.1;"), "");
 }

@@ -16,7 +16,7 @@ struct Call {
 };
 
 // The scene warns, which is a message; what fails by itself keeps its exit code.
-const std::array<Call, 12> kCalls = {{
+const std::array<Call, 13> kCalls = {{
     {"still s.frag --size 16x9 --tweak a=9 -o out.png", "out.png"},
     {"still wrong.frag --size 16x9 -o wrong.png", "", 3},
     {"still absent.frag --size 16x9 -o absent.png", "", 4},
@@ -28,6 +28,7 @@ const std::array<Call, 12> kCalls = {{
     {"import toy.json -o toy.frag", "toy.frag"},
     {"info s.frag --tweak a=9", ""},
     {"check s.frag --size 16x9 --tweak a=9 --case start --frames 2 -o failures", "", 2},
+    {"check s.frag --size 16x9 --tweak a=9 --case age --frames 2 -o failures", ""},
     {"study s.frag --size 16x9 --tweak a=9 --vary a=0,1 --reference a=0.5 -o report",
      "report/index.html"},
 }};
@@ -152,6 +153,21 @@ TEST_F(Unheard, AFileThatMayNotGrowIsTheReasonThatIsGiven) {
             EXPECT_FALSE(fs::exists(folder() / file));
         }
     }
+}
+
+// What a library writes of a small one as it closes it fails without a word.
+TEST_F(Unheard, AStateThatALimitCutsLeavesTheOneBefore) {
+    write("one.frag",
+          "uniform sampler2D b; //@ pass mainB size=1 format=r8\n"
+          "void mainB(out vec4 c, in vec2 p) { c = texelFetch(b, ivec2(0), 0) + 0.1; }\n"
+          "void mainImage(out vec4 c, in vec2 p) { c = texelFetch(b, ivec2(0), 0); }\n");
+    const std::string words = "sequence one.frag --size 8x8 --save-state state.exr --frames 0:";
+    EXPECT_EQ(shell(words + "2", ">out.txt 2>err.txt"), 0) << bytes("err.txt");
+    const std::string before = bytes("state.exr");
+    ASSERT_GT(before.size(), 1024u);
+    EXPECT_EQ(shell(words + "3", ">out.txt 2>err.txt", "ulimit -f 1"), 1);
+    EXPECT_NE(bytes("err.txt").find("Cannot write state.exr: File too large."), std::string::npos);
+    EXPECT_EQ(bytes("state.exr"), before);
 }
 
 }  // namespace

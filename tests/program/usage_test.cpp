@@ -50,6 +50,7 @@ TEST_F(Usage, IsRefusedWithASentenceThatNamesTheOption) {
         {{"still", "scene.frag", "-o", "out.png", "--size", "0x5"}, "--size 0x5"},
         {{"still", "scene.frag", "-o", "out.png", "--size", "5x0"}, "--size 5x0"},
         {{"still", "scene.frag", "-o", "out.png", "--size", "-5x5"}, "--size"},
+        {{"still", "scene.frag", "-o", "out.png", "--size="}, "--size= has no value"},
         {{"still", "scene.frag", "-o", "out.png", "--size=-5x5"}, "--size -5x5"},
         {{"still", "scene.frag", "-o", "out.png", "--size", "5"}, "--size 5"},
         {{"still", "scene.frag", "-o", "out.png", "--size", "5x"}, "--size 5x"},

@@ -191,7 +191,7 @@ void run_check(const CheckOptions& options) {
     if (!options.only.empty()) require_cases(files, options.only);
     if (options.view.json) say_result("{}\n", json_text(to_json(files)));
     const ExitCode code = exit_code(files);
-    std::fflush(stdout);  // the table first
+    flush_results();  // the table first
     if (code == ExitCode::check_failed && !options.view.json && !options.lines)
         say("What each case means, and how to mend it: {}\n",
             documentation("checking.md").string());
