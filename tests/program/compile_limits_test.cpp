@@ -88,9 +88,7 @@ TEST_F(CompileLimits, TellOfADivisionThatCrashesTheDriver) {
     const Outcome outcome = glint({"still", "scene.frag", "-o", "out.png", "--size", "32x18"});
     if (outcome.code == 0) GTEST_SKIP() << "this driver divides";
     EXPECT_EQ(outcome.code, 3) << outcome.signal << outcome.err;
-    EXPECT_NE(outcome.err.find("of the int -2147483648 by -1"),
-              std::string::npos)
-        << outcome.err;
+    EXPECT_NE(outcome.err.find("of the int -2147483648 by -1"), std::string::npos) << outcome.err;
 }
 
 }  // namespace
