@@ -417,7 +417,7 @@ Preset run_sequence(const SequenceOptions& options) {
     const Target target = target_of(options);
     Frames frames = frames_of(options.frames, options.shard, options.fps);
     const int last = frames.last();
-    const Preset preset = open_preset(options.view);
+    Preset preset = open_preset(options.view);
     require_size(options.output, target, preset.size);
     const int first = frames[0];
     const NamedFile written{"-o", options.output == "-" ? "" : options.output, first, last};
@@ -469,9 +469,8 @@ Preset run_sequence(const SequenceOptions& options) {
     if (has_work && !options.state.save.empty() && run.next <= last) leave_state(run, last);
     output.finish();
     print_result(options, run, clock.ms());
-    Preset drawn = preset;
-    drawn.time = playback.end;
-    return drawn;
+    preset.time = playback.end;
+    return preset;
 }
 
 }  // namespace glint

@@ -140,14 +140,18 @@ std::vector<Event> InputState::as_events(double time, const InputState& from) co
     return events;
 }
 
-Input replay(std::span<const Event> events, double from, double to, glm::ivec2 size) {
+InputState input_after(std::span<const Event> events, double from, double to) {
     InputState state;
     auto event = events.begin();
     for (; event != events.end() && event->time <= from && event->time <= to; ++event)
         state.apply(*event);
-    state.next_frame(size);
+    state.next_frame({1, 1});
     for (; event != events.end() && event->time <= to; ++event) state.apply(*event);
-    return state.next_frame(size);
+    return state;
+}
+
+Input replay(std::span<const Event> events, double from, double to, glm::ivec2 size) {
+    return input_after(events, from, to).next_frame(size);
 }
 
 glm::vec4 shadertoy_date(const Date& start, double elapsed) {

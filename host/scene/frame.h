@@ -63,8 +63,11 @@ private:
     Input keys_;
 };
 
-// The input at time `to` after replaying all events up to it; what happened in (from, to] counts as
-// new. Events are in order of time.
+// Where all events up to the time `to` have led; what happened in (from, to] counts as new. Events
+// are in order of time.
+InputState input_after(std::span<const Event> events, double from, double to);
+
+// The input of a frame that is drawn then at this size.
 Input replay(std::span<const Event> events, double from, double to, glm::ivec2 size);
 
 // A calendar moment: iDate is built from it. Exports start from a fixed one, so that they are

@@ -179,12 +179,16 @@ private:
 
 // A buffer whose id and name are strange takes the next letter that is free.
 std::vector<std::string> JsonReader::tab_names(const Json& passes) {
-    std::vector<std::string> names;
-    for (const Json& pass : passes) names.push_back(tab_name(pass));
-    for (std::string& name : names) {
-        for (char letter = 'A'; letter <= 'D' && name.empty(); ++letter) {
+    std::vector<std::string> names, types;
+    for (const Json& pass : passes) {
+        names.push_back(tab_name(pass));
+        types.push_back(in_small_letters(word(pass, "type")));
+    }
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const bool is_buffer = types[i].empty() || types[i].starts_with("buf");
+        for (char letter = 'A'; letter <= 'D' && is_buffer && names[i].empty(); ++letter) {
             const std::string free = std::string("buffer") + letter;
-            if (std::ranges::find(names, free) == names.end()) name = free;
+            if (std::ranges::find(names, free) == names.end()) names[i] = free;
         }
     }
     return names;

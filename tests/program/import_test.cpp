@@ -385,6 +385,10 @@ TEST_F(Import, BadJsonOfEveryKindIsSaid) {
              }
          }),
          "the tab 'Buf E' is none that the site has"},
+        {"a tab of another kind", with([](Json& j) {
+             j["renderpass"].push_back(pass("vertex", "Vertex", "9", "", Json::array()));
+         }),
+         "the tab 'Vertex' is none that the site has"},
         {"deep lists", deep('[', ']', 200'000), "nested as no shader is"},
         {"deep within a shader", "{\"renderpass\": " + deep('[', ']', 300) + "}",
          "nested as no shader is"},

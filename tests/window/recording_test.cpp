@@ -82,6 +82,19 @@ TEST_F(Recording, ABoatThatIsDrivenByKeysIsReplayedToTheSamePicture) {
     EXPECT_NE(still_of(boat, time).pixels, seen.pixels) << "the keys did nothing";
 }
 
+TEST_F(Recording, APresetThatOpensAfterItsEventsShowsWhereTheyLed) {
+    write(scene(),
+          "void mainImage(out vec4 c, in vec2 p) {\n"
+          "    c = vec4(iMouse.xy / iResolution.xy, iMouse.w > 0.0 ? 1.0 : 0.2, 1);\n}\n");
+    const fs::path preset = folder_->path() / "look.toml";
+    write(preset,
+          "scene = \"scene.frag\"\ntime = 2.0\n"
+          "[[events]]\nt = 0.5\nmouse = [0.75, 0.75]\ndown = true\n"
+          "[[events]]\nt = 0.6\nmouse = [0.25, 0.75]\ndown = true\n");
+    start({preset.string()});
+    EXPECT_TRUE(shows({64, 191, 51}, {640, 300}));
+}
+
 TEST_F(Recording, TheFilesEventsStayAroundWhatIsRecordedAndNothingDoneIsNothing) {
     const fs::path scene = folder_->path() / "scene.frag", preset = folder_->path() / "keys.toml";
     write(scene,

@@ -101,9 +101,9 @@ Frame Playground::next_frame(double wall_seconds) {
 // After a jump the preset's events have brought the input to where they do in a still.
 void Playground::take_events_up_to(double time) {
     if (preset_->events.empty()) return;
-    input_ = {};
-    for (const Event& event : preset_->events)
-        if (event.time <= time) input_.apply(event);
+    const Playback playback{.end = time};
+    const double before = (playback.last_frame() - 1) / playback.fps;
+    input_ = input_after(preset_->events, before, time);
 }
 
 // The preset's events go on while time does, also when a person has taken over.

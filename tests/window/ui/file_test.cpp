@@ -109,7 +109,7 @@ class Typed : public File {
 protected:
     void type(const char* text) {
         ImGui::GetIO().KeyCtrl = true;
-        screen.click(screen.find(Screen::in_row(0, "##slider"))->GetCenter());
+        screen.click(screen.find(screen.in_row(0, "##slider"))->GetCenter());
         ImGui::GetIO().KeyCtrl = false;
         frames();
         screen.type(text);

@@ -45,7 +45,7 @@ protected:
 };
 
 TEST_F(Keys, BelongToTheSceneUntilTheyAreGivenAndAfterEsc) {
-    screen.click(screen.find(Screen::in_row(0, "label"))->GetCenter());
+    screen.click(screen.find(screen.in_row(0, "label"))->GetCenter());
     press(ImGuiKey_DownArrow);
     EXPECT_TRUE(GImGui->NavDisableHighlight) << "the mouse in a panel takes no keys";
     next_panel();
@@ -76,25 +76,25 @@ TEST_F(Keys, GoFromTheToolsOfAPanelToItsRows) {
     const ImGuiWindow* panel = Screen::window("Tweaks");
     ASSERT_TRUE(is_at(ImHashStr("undo", 0, panel->ID)));
     press(ImGuiKey_DownArrow);
-    EXPECT_TRUE(is_at(Screen::in_row(0, "label")));
+    EXPECT_TRUE(is_at(screen.in_row(0, "label")));
     press(ImGuiKey_RightArrow);
-    EXPECT_TRUE(is_at(Screen::in_row(0, "##slider")));
+    EXPECT_TRUE(is_at(screen.in_row(0, "##slider")));
     press(ImGuiKey_UpArrow);
     EXPECT_EQ(GImGui->NavWindow->RootWindow, panel);
-    EXPECT_FALSE(is_at(Screen::in_row(0, "##slider")));
+    EXPECT_FALSE(is_at(screen.in_row(0, "##slider")));
 }
 
 TEST_F(Keys, TakeHoldOfASliderMoveItAndLetGo) {
     search();
     press(ImGuiKey_Enter);
-    ASSERT_TRUE(is_at(Screen::in_row(0, "##slider")));
+    ASSERT_TRUE(is_at(screen.in_row(0, "##slider")));
     press(ImGuiKey_Space);
     press(ImGuiKey_RightArrow, 3);
     EXPECT_GT(value(0), 0.52);
     press(ImGuiKey_Space);
     const double moved = value(0);
     press(ImGuiKey_DownArrow);
-    ASSERT_TRUE(is_at(Screen::in_row(1, "##slider")));
+    ASSERT_TRUE(is_at(screen.in_row(1, "##slider")));
     EXPECT_EQ(value(0), moved);
     press(ImGuiKey_Space);
     press(ImGuiKey_LeftArrow);
@@ -128,7 +128,7 @@ TEST_F(Keys, TypeAValueAndStandOnItsSliderAgain) {
     screen.type("0.25");
     press(ImGuiKey_Enter);
     EXPECT_EQ(value(0), 0.25);
-    EXPECT_TRUE(is_at(Screen::in_row(0, "##slider")));
+    EXPECT_TRUE(is_at(screen.in_row(0, "##slider")));
 }
 
 TEST_F(Keys, OpenAMenuOnANameThatResetsInTwoSteps) {
@@ -136,7 +136,7 @@ TEST_F(Keys, OpenAMenuOnANameThatResetsInTwoSteps) {
     search();
     press(ImGuiKey_Enter);
     press(ImGuiKey_LeftArrow);
-    ASSERT_TRUE(is_at(Screen::in_row(0, "label")));
+    ASSERT_TRUE(is_at(screen.in_row(0, "label")));
     press(ImGuiKey_Space);
     ASSERT_TRUE(ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup));
     press(ImGuiKey_Space);
@@ -149,18 +149,18 @@ TEST_F(Keys, SearchFiltersAsTypedEnterGoesToTheFirstEscLeaves) {
     EXPECT_TRUE(ImGui::GetIO().WantTextInput);
     screen.type("win");
     frames();
-    EXPECT_FALSE(screen.find(Screen::in_row(0, "##slider")));
-    ASSERT_TRUE(screen.find(Screen::in_row(2, "##slider")));
+    EXPECT_FALSE(screen.find(screen.in_row(0, "##slider")));
+    ASSERT_TRUE(screen.find(screen.in_row(2, "##slider")));
     press(ImGuiKey_Enter);
-    EXPECT_TRUE(is_at(Screen::in_row(2, "##slider")));
+    EXPECT_TRUE(is_at(screen.in_row(2, "##slider")));
     search();
     screen.type("steps");
     frames();
-    EXPECT_TRUE(screen.find(Screen::in_row(1, "##slider")));
+    EXPECT_TRUE(screen.find(screen.in_row(1, "##slider")));
     press(ImGuiKey_Escape);
     EXPECT_FALSE(screen.settings.keys);
     EXPECT_FALSE(ImGui::GetIO().WantTextInput);
-    EXPECT_TRUE(screen.find(Screen::in_row(2, "##slider"))) << "what was searched before";
+    EXPECT_TRUE(screen.find(screen.in_row(2, "##slider"))) << "what was searched before";
 }
 
 TEST_F(Keys, ANameThatNothingHasKeepsThemInTheField) {

@@ -116,10 +116,10 @@ public:
     }
 
     // The id of a control in the tweak's row, such as "##slider".
-    static ImGuiID in_row(int index, const char* control, int component = -1) {
+    ImGuiID in_row(std::size_t index, const char* control, int component = -1) const {
         const ImGuiWindow* body = window("Tweaks/body");
         if (!body) return 0;
-        ImGuiID id = ImHashData(&index, sizeof index, body->ID);
+        ImGuiID id = ImHashStr(scene.tweaks[index].name.c_str(), 0, body->ID);
         if (component >= 0) id = ImHashData(&component, sizeof component, id);
         return ImHashStr(control, 0, id);
     }
