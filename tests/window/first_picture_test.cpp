@@ -56,6 +56,15 @@ protected:
         screen_->tap("Control_L+q");
         EXPECT_EQ(glint_->wait().code, 0);
     }
+    // The one that F12 writes, of what is not green any more after a click.
+    Image still_of_a_click(glm::ivec2 at) {
+        screen_->click(at);
+        EXPECT_TRUE(eventually([&] { return screen_->pixel({300, 300}).g < 100; }));
+        screen_->tap("F12");
+        const fs::path still = folder_->path() / "scene-0001.png";
+        EXPECT_TRUE(eventually([&] { return fs::exists(still); }));
+        return read_image(still);
+    }
     void hang(const char* text = kHang) {
         write(scene(), text);
         environment_ = kOnOneCore;
@@ -138,12 +147,7 @@ void mainImage(out vec4 c, in vec2 p) {
 }
 )");
     ASSERT_TRUE(shows_green());
-    screen_->click({701, 499});
-    ASSERT_TRUE(eventually([&] { return screen_->pixel({300, 300}).g < 100; }));
-    screen_->tap("F12");
-    const fs::path still = folder_->path() / "scene-0001.png";
-    ASSERT_TRUE(eventually([&] { return fs::exists(still); }));
-    const Image image = read_image(still);
+    const Image image = still_of_a_click({701, 499});
     ASSERT_EQ(image.size, glm::ivec2(1280, 720));
     const auto byte = [&](std::size_t at) { return std::to_integer<int>(image.pixels[at]); };
     EXPECT_EQ(256 * byte(1) + byte(0), 701);
@@ -168,12 +172,7 @@ void mainImage(out vec4 c, in vec2 p) {
 }
 )");
     ASSERT_TRUE(shows_green());
-    screen_->click({701, 499});
-    ASSERT_TRUE(eventually([&] { return screen_->pixel({300, 300}).g < 100; }));
-    screen_->tap("F12");
-    const fs::path still = folder_->path() / "scene-0001.png";
-    ASSERT_TRUE(eventually([&] { return fs::exists(still); }));
-    const Image image = read_image(still);
+    const Image image = still_of_a_click({701, 499});
     const auto byte = [&](std::size_t at) { return std::to_integer<int>(image.pixels[at]); };
     EXPECT_EQ(256 * byte(1) + byte(0), 701);
 }

@@ -33,7 +33,7 @@ std::optional<Place> long_loop(const Preset& preset) {
 }  // namespace
 
 void say_cut_loops(Preset preset, const ProbeOptions& options) {
-    preset.time = options.frame ? *options.frame / options.fps : options.time.value_or(preset.time);
+    preset.time = time_of(options, preset.time);
     const std::optional<Place> place = long_loop(preset);
     if (!place) return;
     const int longest = std::max(preset.size.x, preset.size.y);

@@ -24,4 +24,9 @@ struct ProbeOptions {
     bool faults = false;           // the first fault instead of values
 };
 
+// What is looked at, s; `own`: the preset's time.
+inline double time_of(const ProbeOptions& options, double own) {
+    return options.frame ? *options.frame / options.fps : options.time.value_or(own);
+}
+
 }  // namespace glint

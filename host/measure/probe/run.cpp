@@ -236,9 +236,7 @@ std::optional<ProbeFault> find_fault(ProbeSession& session, const ProbeOptions& 
                                      const ProgramOptions& program, std::size_t& unwatched) {
     FaultWatch watch(session.preset(), session.renderer(), program);
     unwatched = watch.unwatched();
-    const Playback playback{.end = options.frame ? *options.frame / options.fps
-                                                 : options.time.value_or(session.preset().time),
-                            .fps = options.fps};
+    const Playback playback{.end = time_of(options, session.preset().time), .fps = options.fps};
     const bool stateful = session.renderer().graph().stateful;
     const int first = stateful ? 0 : playback.last_frame();
     Progress progress("frames looked at", playback.last_frame() - first + 1);

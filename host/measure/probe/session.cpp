@@ -74,8 +74,7 @@ double ProbeSession::step() const {
 }
 
 const Frame& ProbeSession::play_to(const ProbeOptions& options) {
-    const double end =
-        options.frame ? *options.frame / options.fps : options.time.value_or(preset_.time);
+    const double end = time_of(options, preset_.time);
     int rendered = 0;
     frame_ = play(preset_, *renderer_, {.end = end, .fps = options.fps},
                   options.settle.value_or(preset_.settle), rendered);
