@@ -81,23 +81,32 @@ Viewer::Placed Viewer::place(glm::ivec2 buffer_size, const BufferView& view,
     return {glm::dvec2(area.origin) + room * 0.5 - centre * size, size};
 }
 
-BufferStatistics statistics(std::span<const float> rgba) {
-    BufferStatistics result;
-    result.min = glm::vec4(std::numeric_limits<float>::infinity());
-    result.max = -result.min;
-    for (std::size_t i = 0; i + 3 < rgba.size(); i += 4) {
-        bool nan = false, infinite = false;
-        for (std::size_t c = 0; c < 4; ++c) {
-            const float v = rgba[i + c];
-            nan |= std::isnan(v);
-            infinite |= std::isinf(v);
-            if (!std::isfinite(v)) continue;
-            auto& low = result.min[static_cast<int>(c)];
-            auto& high = result.max[static_cast<int>(c)];
-            low = std::min(low, v), high = std::max(high, v);
+ValueRange value_range(std::span<const float> rgba) {
+    ValueRange result;
+    bool all_finite = true;
+    for (int c = 0; c < 4; ++c) {  // one after the other, so that both ends stay in registers
+        float low = std::numeric_limits<float>::infinity(), high = -low;
+        for (auto i = static_cast<std::size_t>(c); i < rgba.size(); i += 4) {
+            const float v = rgba[i];
+            if (!std::isfinite(v)) {
+                all_finite = false;
+                continue;
+            }
+            low = v < low ? v : low, high = v > high ? v : high;
         }
-        result.nan += nan, result.infinite += infinite;
+        result.min[c] = low, result.max[c] = high;
     }
+    if (all_finite) return result;
+    for (std::size_t i = 0; i + 3 < rgba.size(); i += 4) {
+        const auto pixel = rgba.subspan(i, 4);
+        result.nan += std::ranges::any_of(pixel, [](float v) { return std::isnan(v); });
+        result.infinite += std::ranges::any_of(pixel, [](float v) { return std::isinf(v); });
+    }
+    return result;
+}
+
+BufferStatistics statistics(std::span<const float> rgba) {
+    BufferStatistics result{value_range(rgba)};
     for (std::size_t i = 0; i < rgba.size(); ++i) {
         const auto c = static_cast<int>(i % 4);
         const float range = result.max[c] - result.min[c];

@@ -31,10 +31,14 @@ struct BufferView {
     }
 };
 
-// Counts over one output of a buffer; exact.
-struct BufferStatistics {
-    std::size_t nan = 0, infinite = 0;               // pixels with at least one such channel
-    glm::vec4 min{0.0f}, max{0.0f};                  // of the finite values
+// Of one output of a buffer; exact. A channel with nothing finite has its min above its max.
+struct ValueRange {
+    std::size_t nan = 0, infinite = 0;  // pixels with at least one such channel
+    glm::vec4 min{0.0f}, max{0.0f};     // of the finite values
+};
+ValueRange value_range(std::span<const float> rgba);
+
+struct BufferStatistics : ValueRange {
     std::array<std::array<int, 64>, 4> histogram{};  // by channel, from min to max
 };
 BufferStatistics statistics(std::span<const float> rgba);

@@ -98,7 +98,7 @@ void CheckSubject::look(std::size_t graph_index) {
             for (std::size_t i = 0; i + 3 < values.size(); i += 4)
                 if (!std::isnan(values[i + 3])) values[i + 3] = values[i];
         }
-        const BufferStatistics found = statistics(values);
+        const ValueRange found = value_range(values);
         for (int c = 0; c < 4; ++c) {
             if (found.min[c] > found.max[c]) continue;  // nothing finite
             observed_.min = observed_.any ? std::min(observed_.min, found.min[c]) : found.min[c];
