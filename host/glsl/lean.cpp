@@ -6,8 +6,16 @@
 namespace glint {
 namespace {
 
-// Whether the directives within these bytes open and close conditions of their own, and do nothing
-// else.
+// The name that a global declares alone, of a constant or one that will be.
+std::string_view constant_name(const Reading& reading, const Declaration& declaration,
+                               const std::unordered_set<std::string_view>& uniforms) {
+    if (declaration.names.size() != 1 || declaration.structure != kNone) return {};
+    const std::string_view name = reading.word(declaration.names.front().name);
+    return declaration.is_const || uniforms.contains(name) ? name : std::string_view();
+}
+
+}  // namespace
+
 bool stands_for_itself(const Reading& reading, Span span) {
     int depth = 0;
     auto directive = std::ranges::lower_bound(reading.directives, span.begin, {},
@@ -24,16 +32,6 @@ bool stands_for_itself(const Reading& reading, Span span) {
     }
     return depth == 0;
 }
-
-// The name that a global declares alone, of a constant or one that will be.
-std::string_view constant_name(const Reading& reading, const Declaration& declaration,
-                               const std::unordered_set<std::string_view>& uniforms) {
-    if (declaration.names.size() != 1 || declaration.structure != kNone) return {};
-    const std::string_view name = reading.word(declaration.names.front().name);
-    return declaration.is_const || uniforms.contains(name) ? name : std::string_view();
-}
-
-}  // namespace
 
 bool may_be_left_out(const Reading& reading, TokenRange tokens) {
     return reading.stands_alone(tokens) && stands_for_itself(reading, reading.place(tokens));
@@ -86,6 +84,12 @@ void leave_out_constants(const Reading& reading, const std::unordered_set<std::s
         if (declaration.is_const && unused.contains(constant_name(reading, declaration, {})))
             edits.replace_bytes(reading.place(item.tokens), "");
     }
+}
+
+void leave_out_semicolons(const Reading& reading, Edits& edits) {
+    for (const Item& item : reading.items)
+        if (item.tokens.size() == 1 && reading.tokens[item.tokens.begin].is(";"))
+            edits.replace(item.tokens, " ");  // so that no column moves
 }
 
 std::string without_comments(std::string_view text) {

@@ -1,5 +1,7 @@
 #include "glsl/reachable.h"
 
+#include "glsl/lean.h"
+
 #include <algorithm>
 #include <unordered_map>
 #include <unordered_set>
@@ -36,9 +38,7 @@ private:
     }
     Piece piece_of(const Item& item) const;
     std::vector<std::string_view> words_of(const Piece& piece) const;
-    std::size_t line_end(std::size_t at) const {
-        return std::min(reading_.text.find('\n', at), reading_.text.size() - 1) + 1;
-    }
+    std::size_t line_end(std::size_t at) const;
     // The first of what is dropped that ends behind a byte.
     std::vector<Span>::const_iterator dropped_behind(std::size_t at) const {
         return std::ranges::upper_bound(dropped_, at, {}, &Span::end);
@@ -48,12 +48,35 @@ private:
         return span != dropped_.end() && span->begin <= at;
     }
     void append(Span span, EditedText& result) const;
+    void leave_out(Span span, EditedText& result) const;
 
     const Reading& reading_;
     std::vector<Span> dropped_;  // apart from each other, in order
     std::vector<Piece> pieces_;
     std::size_t done_ = 0;
 };
+
+// Behind the newline of a place outside comments; lines that a backslash joins are one, and a
+// comment may hold any number.
+std::size_t Cutter::line_end(std::size_t at) const {
+    const std::string_view text = reading_.text;
+    bool is_comment = false;
+    while (at < text.size()) {
+        const std::string_view rest = text.substr(at);
+        if (rest.starts_with("\\\n")) {
+            at += 2;
+        } else if (rest.starts_with('\n')) {
+            return at + 1;
+        } else if (!is_comment && rest.starts_with("/*")) {
+            const std::size_t close = text.find("*/", at + 2);
+            at = close == text.npos ? text.size() : close + 2;
+        } else {
+            is_comment |= rest.starts_with("//");
+            ++at;
+        }
+    }
+    return text.size();
+}
 
 // The directives of groups that ask for what is decided, and the branches of these that are dead.
 void Cutter::find_decided(std::string_view decided) {
@@ -121,6 +144,7 @@ void Cutter::find_pieces() {
     for (const Item& item : reading_.items) {
         const Span span = reading_.place(item.tokens);
         Piece piece = piece_of(item);
+        piece.is_wanted |= !stands_for_itself(reading_, span);
         if (span.begin < done_) {  // of the same macro as the one before
             Piece& before = pieces_.back();
             before.names.insert(before.names.end(), piece.names.begin(), piece.names.end());
@@ -158,6 +182,13 @@ void Cutter::append(Span span, EditedText& result) const {
     add(at, span.end);
 }
 
+// What stands before it on its line keeps the line's end.
+void Cutter::leave_out(Span span, EditedText& result) const {
+    const bool ends_line = span.begin < span.end && reading_.text[span.end - 1] == '\n';
+    if (ends_line && !result.text.empty() && result.text.back() != '\n')
+        append({span.end - 1, span.end}, result);
+}
+
 EditedText Cutter::cut(std::string_view entry) {
     const bool keeps_all = !reading_.is_balanced || !reading_.not_understood.empty();
     std::unordered_multimap<std::string_view, std::size_t> named;
@@ -185,7 +216,10 @@ EditedText Cutter::cut(std::string_view entry) {
     }
     EditedText result;
     for (const Piece& piece : pieces_) {
-        if (piece.is_wanted) append(piece.span, result);
+        if (piece.is_wanted)
+            append(piece.span, result);
+        else
+            leave_out(piece.span, result);
     }
     return result;
 }

@@ -26,9 +26,12 @@ public:
                  {"=", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "<<=", ">>=", "^="}))
             look_at({operand_begin(reading_, sign, 0), sign});
         for (const std::uint32_t sign : reading_.places_of({"++", "--"})) {
-            const std::uint32_t begin = operand_begin(reading_, sign, 0);
-            look_at(begin < sign ? TokenRange{begin, sign}
-                                 : TokenRange{sign + 1, operand_end(reading_, sign + 1, count())});
+            const std::uint32_t begin = operand_begin(reading_, sign, 0), next = sign + 1;
+            if (begin < sign) {
+                look_at({begin, sign});
+            } else if (next < count() && (token(next).is("(") || token(next).is_word())) {
+                look_at({next, operand_end(reading_, next, count())});  // after signs is no value
+            }
         }
         for (const Call& call : reading_.calls) look_at_arguments(call);
         for (const Struct& structure : reading_.structs) look_at_members(structure);

@@ -183,17 +183,20 @@ private:
 
     void find_in_function(std::uint32_t index) {
         const Function& function = reading_.functions[index];
-        for (const std::uint32_t parameter : function.parameters) {
-            const Declaration& declaration = reading_.declarations[parameter];
-            if (!declaration.is_out || declaration.is_in || declaration.names.empty()) continue;
-            const bool is_entry = reading_.is_for_the_host(function, entry_);
-            const Declarator& one = declaration.names.front();
-            if (!uses_.out_is_read(index, reading_.word(one.name))) continue;
+        const bool is_entry = reading_.is_for_the_host(function, entry_);
+        for (std::size_t i = 0; i < function.parameters.size(); ++i) {
+            const Declaration& declaration = reading_.declarations[function.parameters[i]];
+            if (!declaration.is_out || declaration.is_in) continue;
+            const bool is_named = !declaration.names.empty();
+            const Declarator one = is_named ? declaration.names.front()
+                                            : Declarator{.name = declaration.tokens.end - 1};
+            if (is_named && !uses_.out_is_read(index, reading_.word(one.name))) continue;
             add(is_entry ? Site::Kind::entry : Site::Kind::head, one.name, function.body.begin,
                 {.type = declaration.type,
                  .structure = declaration.structure,
                  .array = one.array,
                  .type_array = declaration.type_array});
+            if (!is_named) sites_.back().unset.name = unnamed_parameter(i);
             sites_.back().unset.is_output = is_entry;
             note_times([&] { return times_of(index); });
         }
@@ -269,6 +272,10 @@ private:
 };
 
 }  // namespace
+
+std::string unnamed_parameter(std::size_t index) {
+    return fmt::format("glint_parameter{}", index);
+}
 
 std::vector<Unset> write_zeros(const Reading& reading, Edits& edits, std::string_view entry,
                                std::optional<Marked> marked) {

@@ -39,6 +39,9 @@ struct Marked {
     }
 };
 
+// What a parameter without a name, the how many-th of its function, is called in a driver's text.
+std::string unnamed_parameter(std::size_t index);
+
 // What was unset, in the order of the text. Of the outputs of `entry` only marks are written.
 std::vector<Unset> write_zeros(const Reading& reading, Edits& edits, std::string_view entry = {},
                                std::optional<Marked> marked = {});

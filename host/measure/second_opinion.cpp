@@ -10,8 +10,10 @@
 #include "offline/site_text.h"
 #include "render/compile_watch.h"
 #include "render/driver_log.h"
+#include "render/own_main_text.h"
 #include "render/own_overloads.h"
 #include "render/pass_text.h"
+#include "scene/builtin.h"
 #include "scene/scene_text.h"
 
 #include <fmt/format.h>
@@ -24,6 +26,7 @@
 #include <charconv>
 #include <optional>
 #include <regex>
+#include <set>
 #include <thread>
 
 namespace glint {
@@ -46,6 +49,24 @@ constexpr std::pair<std::string_view, std::string_view> kOfPictures[] = {
     {"vec3", "iResolution"}, {"float", "iTime"}, {"vec4", "iMouse"}};
 constexpr std::string_view kBehind =
     "\nout vec4 glint_colour;\nvoid main() { glint_colour = vec4(0); }\n";
+
+// What nothing fills is a channel without an input there.
+std::string unfilled_samplers(const Preset& preset, std::size_t pass) {
+    const Reading whole = read_glsl(preset.scene.text, known_of_pass({}));
+    std::string text;
+    std::set<std::string_view> names;
+    for (const Declaration& declaration : whole.declarations) {
+        const std::string_view type = whole.word(declaration.type);
+        if (!declaration.is_uniform || !type.starts_with("sampler")) continue;
+        for (const Declarator& one : declaration.names) {
+            const std::string_view name = whole.word(one.name);
+            if (!find_sampler(preset, pass, name) && !find_builtin(name) &&
+                names.insert(name).second)
+                text += fmt::format("uniform {} {}{};\n", type, name, whole.spelled(one.array));
+        }
+    }
+    return text;
+}
 
 // What stands before a pass's text: its samplers by the names that the scene gives them, and what
 // Chromium takes beyond the validator.
@@ -77,7 +98,7 @@ std::string before(const Preset& preset, std::size_t pass, const Reading& readin
                 type, i);
     }
     if (!means_its_own(reading, "iTick")) text += "uniform uint iTick;\n";
-    return text + own_overloads(reading);
+    return text + unfilled_samplers(preset, pass) + older_names(reading) + own_overloads(reading);
 }
 
 std::string read_all(int pipe) {
@@ -117,10 +138,11 @@ bool is_refused_by_it_alone(std::string_view why) {
     return why.starts_with("Too few args in Macro") || why.starts_with("End of line in string");
 }
 
-// Browsers take the inverse of constants for one (GLSL ES 3.00, 4.3.3).
-bool is_inverse_of_constants(std::string_view why, std::string_view line) {
-    return why.starts_with("global const initializers must be constant") &&
-           line.find("inverse") != line.npos;
+// Browsers take what GLSL's functions make of constants for one, as the driver does (GLSL ES 3.00,
+// 4.3.3).
+bool is_of_constants(std::string_view why, std::string_view word) {
+    return why.starts_with("global const initializers must be constant") ||
+           word == "non-constant initializer";
 }
 
 // The byte of a line, from 1, at which a word stands; its first one that is no space otherwise.
@@ -162,9 +184,8 @@ std::optional<std::vector<PlacedFinding>> findings_of(const Preset& preset, std:
         std::from_chars(digits.data(), digits.data() + digits.size(), line);
         if (is_refused_by_it_alone(why)) return std::vector<PlacedFinding>();
         if (why.starts_with("compilation terminated") || line <= head_lines) continue;
+        if (is_of_constants(why, word)) continue;
         const std::size_t at = find_in_line(site.text, line - head_lines, word);
-        const std::string_view rest = std::string_view(site.text).substr(at);
-        if (is_inverse_of_constants(why, rest.substr(0, rest.find('\n')))) continue;
         findings.push_back(
             {std::string(kWebGl),
              preset.scene.place_at(site.origin(std::min(at, site.text.size() - 1))),

@@ -1,6 +1,7 @@
 #include "offline/site_text.h"
 
 #include "base/words.h"
+#include "glsl/lean.h"
 #include "glsl/reachable.h"
 #include "render/pass_text.h"
 #include "scene/builtin.h"
@@ -84,6 +85,7 @@ SiteText site_text(const Preset& preset, std::size_t pass) {
     const Reading reading = read_glsl(reached.text, known);
     Edits edits(reading);
     make_notes_plain(reading, edits);
+    leave_out_semicolons(reading, edits);
     EditedText plain = edits.apply();
     return {std::move(plain.text), {constant.map, own.map, reached.map, std::move(plain.map)}};
 }

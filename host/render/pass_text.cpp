@@ -176,14 +176,16 @@ bool make_colour_defined(const Reading& reading, std::string_view entry, Edits& 
 }
 
 // Browsers take a function whose parameter has no name, Mesa only declarations of one; and a
-// mainImage whose place is constant, which is declared before it as any other.
-void mend_parameters(const Reading& reading, std::string_view entry, Edits& edits) {
+// mainImage whose place is constant, which is declared before it as any other. They refuse a
+// semicolon that ends no declaration.
+void mend_declarations(const Reading& reading, std::string_view entry, Edits& edits) {
+    leave_out_semicolons(reading, edits);
     for (const Function& function : reading.functions) {
         if (!function.is_defined()) continue;
         for (std::size_t i = 0; i < function.parameters.size(); ++i) {
             const Declaration& parameter = reading.declarations[function.parameters[i]];
             if (parameter.names.empty() && !parameter.tokens.empty())
-                edits.after(parameter.tokens.end - 1, fmt::format(" glint_unnamed{}", i));
+                edits.after(parameter.tokens.end - 1, " " + unnamed_parameter(i));
             const TokenRange words = parameter.qualifiers;
             for (std::uint32_t at = words.begin; at < words.end; ++at)
                 if (reading.tokens[at].is("const") && reading.word(function.name) == entry)
@@ -543,7 +545,7 @@ PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions&
     rename_overloads(reading, edits);
     const bool needs_gap = mend_macros(reading, edits);
     if (!plain_main) hide_extensions(reading, edits);
-    mend_parameters(reading, entry_of(scene, pass), edits);
+    mend_declarations(reading, entry_of(scene, pass), edits);
     const std::vector<Remainder> remainders = find_remainders(reading, edits);
     if (!probe) mend_remainders(remainders, edits);
     mend_divisions(preset, options, probe, reading, edits);

@@ -56,6 +56,44 @@ TEST(Reachable, KeepsWhatMayBeSwitchedOnAgain) {
     EXPECT_EQ(reached(text), text);
 }
 
+TEST(Reachable, KeepsTheEndOfALineWhoseLastPartGoes) {
+    EXPECT_EQ(
+        reached("const float kA = 1.0; float unused() { return 1.0; }  // last\n"
+                "#define B kA\nvec4 f(float x) { return vec4(B); }\n" +
+                kImage),
+        "const float kA = 1.0;\n#define B kA\nvec4 f(float x) { return vec4(B); }\n" + kImage);
+}
+
+TEST(Reachable, KeepsADirectiveWithTheFunctionAroundIt) {
+    for (const char* unused :
+         {"float unused() {\n#define Q .75\nreturn Q; }\n",
+          "#if 1\nfloat unused() {\n#else\nfloat unused() { \n#endif\n}\n",
+          "float unused() {\n#if 1\nreturn 1.; }\n#else\nreturn 2.; }\n#endif\n"}) {
+        const std::string text = unused + ("vec4 f(float x) { return vec4(x); }\n" + kImage);
+        EXPECT_EQ(reached(text), text);
+    }
+    EXPECT_EQ(reached("float unused() {\n#if 1\nreturn 1.;\n#else\nreturn 2.;\n#endif\n}\n"
+                      "vec4 f(float x) { return vec4(x); }\n" +
+                      kImage),
+              "vec4 f(float x) { return vec4(x); }\n" + kImage);
+}
+
+// A comment goes on behind the line's end, and a line behind a backslash.
+TEST(Reachable, LeavesOutCommentsToTheirEnds) {
+    const std::string rest = "vec4 f(float x) { return vec4(x); }\n" + kImage;
+    for (const char* comment : {"/* older,\n   slower */", "// older, \\\n   slower",
+                                "/* a\n#define Q 1\n//*/", "// a /* b", "/* a */ // b \\\n */"})
+        EXPECT_EQ(reached("float unused() { return 1.0; } " + (comment + ("\n" + rest))), rest)
+            << comment;
+    EXPECT_EQ(reached("float unused() { return 1.0; } /* of\nf */ " + rest),
+              " /* of\nf */ " + rest);
+    const std::string kept =
+        "const float kA = 1.0; // a \\\n b\nfloat unused() { return 1.0; }\n"
+        "vec4 f(float x) { return vec4(kA); }\n";
+    EXPECT_EQ(reached(kept + kImage),
+              "const float kA = 1.0; // a \\\n b\nvec4 f(float x) { return vec4(kA); }\n" + kImage);
+}
+
 TEST(Reachable, LeavesOutOtherTabs) {
     const std::string text =
         "#ifdef PASS_bufferB\nfloat only_b() { return 1.0; }\nvoid mainImage(out vec4 c) { c = "

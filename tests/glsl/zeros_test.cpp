@@ -108,7 +108,7 @@ TEST(Zeros, AreOfGlobals) {
 TEST(Zeros, AreOfOutParameters) {
     EXPECT_EQ(zeroed("void f(out vec3 c, inout float a, out float n[2], out int) { a += c.x; }"),
               "void f(out vec3 c, inout float a, out float n[2], out int) { c = vec3(0.); "
-              "n = float[2](0.,0.); a += c.x; }");
+              "n = float[2](0.,0.); glint_parameter3 = 0; a += c.x; }");
     EXPECT_EQ(zeroed("bool f(out float t) { if (x) return false; t = 1.; return true; }"),
               "bool f(out float t) { t = 0.; if (x) return false; t = 1.; return true; }");
     for (const char* whole :

@@ -131,6 +131,16 @@ TEST_F(Attack, ALongLineOfALogIsRead) {
     EXPECT_EQ(outcome.err.find("crashed"), std::string::npos) << outcome.err.substr(0, 300);
 }
 
+// What is quadratic would take minutes here.
+TEST_F(Attack, AChainOfSignsIsReadInLinearTime) {
+    std::string signs;
+    for (int i = 0; i < 100'000; ++i) signs += "++ ";
+    for (const std::string& chain : {signs + "x", "x" + signs}) {
+        write("s.frag", "void mainImage(out vec4 c, in vec2 p) { int x; " + chain + "; }\n");
+        EXPECT_EQ(glint({"still", "s.frag", "--size", "16x8", "-o", "s.png"}).code, 3);
+    }
+}
+
 TEST_F(Attack, NoErrorIsToldWithoutEnd) {
     for (const auto& [word, code] : {std::pair{" x", 0}, {" step=0", 3}}) {
         std::string words;

@@ -64,6 +64,20 @@ TEST_F(Export, NamesOfOlderGlslStandForTodays) {
     EXPECT_NE(bytes("a.html").find("#define texture2DLod textureLod"), std::string::npos);
 }
 
+// Browsers refuse one that ends nothing, and drivers take it.
+TEST_F(Export, SemicolonsAmongTheFunctionsAreLeftOut) {
+    write("a.frag",
+          "struct S { float x; };; float f(S s) { ; return s.x; };\n"
+          "void mainImage(out vec4 c, in vec2 p) { c = vec4(f(S(0.5))); };\n");
+    ASSERT_EQ(glint({"export", "a.frag", "-o", "out"}).code, 0);
+    const std::string text = bytes("out/image.glsl");
+    EXPECT_EQ(text,
+              "struct S { float x; };  float f(S s) { ; return s.x; } \n"
+              "void mainImage(out vec4 c, in vec2 p) { c = vec4(f(S(0.5))); } \n");
+    ASSERT_EQ(glint({"export", "a.frag", "-o", "page.html"}).code, 0);
+    EXPECT_EQ(bytes("page.html").find("s.x; };"), text.npos);
+}
+
 TEST_F(Export, AUniformBlockIsVariablesThatAreZero) {
     write("a.frag",
           "layout(std140) uniform Look { vec4 tint; float gain; };\n"

@@ -290,6 +290,7 @@ TEST_F(InfoAndBench, InfoTellsWhatWebGlWouldRefuse) {
     if (!counts_words()) GTEST_SKIP() << "no glslangValidator or spirv-opt";
     write("lib.glsl", "vec4 read(vec2 at) { return texture2D(grain, at); }\n");
     write("refused.frag",
+          "#define texture(s, at) texture2D(s, at)\n"  // so that texture2D is not texture
           "uniform float level; //@ 0.5 [0, 1] \"how much\"\n"
           "uniform sampler2D grain; //@ noise r 8\n"
           "// The next line is another file's.\n"
@@ -299,18 +300,19 @@ TEST_F(InfoAndBench, InfoTellsWhatWebGlWouldRefuse) {
     EXPECT_EQ(names_of(json({"info", "refused.frag"})["findings"]),
               std::vector<std::string>{"lib.glsl:1:29 webgl"});
     write("macro.frag",
-          "#define READ(x) texture2D(grain, x)\n"
+          "#define texture(s, at) READ(at)\n#define READ(x) texture2D(grain, x)\n"
           "uniform sampler2D grain; //@ noise r 8\n"
           "void mainImage(out vec4 c, in vec2 p) {\n"
           "    c = vec4(1) *\n        READ(p);\n}\n");
     EXPECT_EQ(names_of(json({"info", "macro.frag"})["findings"]),
-              std::vector<std::string>{"macro.frag:5:9 webgl"});
+              std::vector<std::string>{"macro.frag:6:9 webgl"});
     write("taken.frag",
+          "const float k = determinant(inverse(mat2(1)));\nuniform sampler2D mine;;\n"
           "mat2 mix(mat2 a, mat2 b, float t) { return a + t * (b - a); } "
           "//@ allow shadowed-name\n"
           "void mainImage(out vec4 c, in vec2 p) { float a; vec2 d = iResolution.xy;\n"
           "    c = vec4(mix(mat2(1), mat2(a), 0.5)[0] + d / 0.0, texture(iChannel0, p)"
-          ".xy) * float(iTick); }\n");
+          ".xy) * float(iTick) + texture2DLodEXT(mine, p, 0.0) + texture2D(mine, p) * k; }\n");
     EXPECT_EQ(names_of(json_of({"info", "taken.frag"})["findings"]), std::vector<std::string>{});
 }
 
