@@ -114,6 +114,7 @@ public:
     bool reads_keyboard() const;
 
     const PassGraph& graph() const { return scene_.graph; }
+    const GiveUp& give_up() const { return scene_.give_up; }
     const Buffer& buffer(std::size_t graph_index) const { return *buffers_[graph_index]; }
 
     // Takes over the size, the buffers of passes of the same name, their simulation clocks and the

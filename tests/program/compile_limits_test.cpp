@@ -37,6 +37,7 @@ TEST_F(CompileLimits, EndEveryVerbThatDrawsWithThePassAndTheReason) {
         {"study", "scene.frag", "--size", "32x18", "--metric", "time"},
         {"check", "scene.frag"},
         {"info", "scene.frag"},
+        {"probe", "scene.frag", "--size", "32x18"},
         {"export", "scene.frag", "-o", "tabs"}};
     for (const auto& verb : verbs) {
         SCOPED_TRACE(verb[0]);
@@ -50,6 +51,18 @@ TEST_F(CompileLimits, EndEveryVerbThatDrawsWithThePassAndTheReason) {
         EXPECT_EQ(bytes("out.png"), "precious");
         EXPECT_EQ(names(), before);
     }
+}
+
+// A text that compiles at once, and one of it that tells what each of its statements does.
+TEST_F(CompileLimits, BoundWhatAProbeOfManyStatementsTakes) {
+    std::string statements;
+    for (int i = 0; i < 3000; ++i) statements += "    c = vec4(1);\n";
+    write("long.frag", "void mainImage(out vec4 c, in vec2 p) {\n" + statements + "}\n");
+    const Outcome outcome =
+        limited({"probe", "long.frag", "--size", "32x18"}, "GLINT_COMPILE_SECONDS", "0.6");
+    EXPECT_EQ(outcome.code, 3) << outcome.signal << outcome.out;
+    EXPECT_NE(outcome.err.find("the driver took more than 0.6 s"), std::string::npos)
+        << outcome.err;
 }
 
 TEST_F(CompileLimits, BoundTheMemoryThatAHugeArrayTakes) {

@@ -259,5 +259,11 @@ TEST_F(StudyBudget, OverSeveralViewsTheWorstIsNamed) {
     EXPECT_EQ(with("other").code, 2);
 }
 
+TEST_F(StudyBudget, SecondsMayBeAFractionOfOne) {
+    const Outcome outcome = glint({"study", known_scene("quadrature").string(), "--size", "16x8",
+                                   "--vary", "steps=1,2", "--seconds", "0.2"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+}
+
 }  // namespace
 }  // namespace glint::cli

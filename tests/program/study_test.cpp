@@ -182,7 +182,10 @@ TEST_F(Study, AFileThatCannotBeStudiedCostsTheOthersNoReport) {
     EXPECT_EQ(outcome.code, 4) << outcome.err;
     EXPECT_NE(outcome.err.find("gone.frag: error:"), std::string::npos) << outcome.err;
     EXPECT_NE(bytes("report/index.html").find("quadrature.frag"), std::string::npos);
-    EXPECT_EQ(Json::parse(bytes("report/study.json"))["studies"].size(), 1u);
+    const std::string report = bytes("report/study.json");
+    EXPECT_EQ(Json::parse(report)["studies"].size(), 1u);
+    EXPECT_EQ(glint({"study", "gone.frag", "-o", "report"}).code, 4);
+    EXPECT_EQ(bytes("report/study.json"), report) << "there is no newer one";
 }
 
 TEST_F(Study, AFolderThatCannotBeMadeIsNamed) {
@@ -357,12 +360,6 @@ TEST_F(Study, ADivergedPointIsListed) {
     const Outcome table =
         glint({"study", known_scene("planted_diverged").string(), "--size", "64x36"});
     EXPECT_NE(table.out.find("diverged: 2304 pixels"), std::string::npos) << table.out;
-}
-
-TEST_F(Study, SecondsMayBeAFractionOfOne) {
-    const Outcome outcome = glint({"study", known_scene("quadrature").string(), "--size", "16x8",
-                                   "--vary", "steps=1,2", "--seconds", "0.2"});
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
 }
 
 TEST_F(Study, CostOverSizeNeedsNoReference) {

@@ -155,7 +155,7 @@ std::vector<ProbeCost::Run> shares_of(std::vector<ProbeCost::Run> runs) {
 ProbeCost cost_of(ProbeSession& session, const ProbeOptions& options,
                   const std::filesystem::path& heat) {
     Probe probe(session.preset(), session.pass(), session.program_options(),
-                {.kind = ProbeKind::cost});
+                {.kind = ProbeKind::cost}, session.renderer().give_up());
     ProbeCost cost;
     std::vector<ProbeCell> cells;
     session.at_frame(options, [&](const Frame& frame) {

@@ -126,8 +126,12 @@ std::vector<ProbeCell> ProbeTarget::read() const {
     return cells;
 }
 
-Probe::Probe(const Preset& preset, std::size_t pass, ProgramOptions options, ProbeWish wish)
-    : preset_(preset), pass_(pass), outputs_(outputs_of(preset, pass)) {
+Probe::Probe(const Preset& preset, std::size_t pass, ProgramOptions options, ProbeWish wish,
+             GiveUp give_up)
+    : preset_(preset),
+      pass_(pass),
+      outputs_(outputs_of(preset, pass)),
+      give_up_(std::move(give_up)) {
     for (const ProbeExpression& one : wish.expressions) {
         const std::string refusal = refusal_of_expression(one.text);
         if (!refusal.empty())
@@ -141,6 +145,8 @@ Probe::Probe(const Preset& preset, std::size_t pass, ProgramOptions options, Pro
 
 // What the driver refuses is left out, line by line.
 void Probe::compile(const ProgramOptions& options, ProbeWish& wish) {
+    std::optional<CompileWatch> watch;
+    if (give_up_) watch.emplace(give_up_, preset_, pass_);
     std::string why;
     for (int i = 0; i < kMostTries; ++i) {
         PassText text = pass_text(preset_, pass_, options, &wish);
@@ -198,6 +204,8 @@ void Probe::draw(Renderer& renderer, const Frame& frame, const ProbeTarget& targ
                  glm::ivec4 place, int face) {
     glProgramUniform4i(program_->id, ask_location_, ask.site, ask.hit, ask.site_step, ask.hit_step);
     glProgramUniform4i(program_->id, place_location_, place.x, place.y, place.z, place.w);
+    std::optional<CompileWatch> watch;
+    if (give_up_ && !std::exchange(is_drawn_, true)) watch.emplace(give_up_, preset_, pass_);
     renderer.draw_variant(
         {.program = *program_, .framebuffer = target.id(), .size = target.size(), .face = face},
         frame);

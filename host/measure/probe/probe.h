@@ -15,6 +15,7 @@
 #pragma once
 
 #include "measure/rows/probe.h"
+#include "render/compile_watch.h"
 #include "render/renderer.h"
 
 #include <optional>
@@ -57,7 +58,9 @@ private:
 class Probe {
 public:
     // What the driver does not take is left out, and listed in notes(). `preset` must outlive this.
-    Probe(const Preset& preset, std::size_t pass, ProgramOptions options, ProbeWish wish);
+    // `give_up` hears of a text that the driver would never finish, be it at the first question.
+    Probe(const Preset& preset, std::size_t pass, ProgramOptions options, ProbeWish wish,
+          GiveUp give_up = nullptr);
 
     const Probed& probed() const { return probed_; }
     std::vector<std::string> notes() const;
@@ -111,6 +114,8 @@ private:
 
     const Preset& preset_;
     std::size_t pass_, outputs_;
+    GiveUp give_up_;
+    bool is_drawn_ = false;
     Probed probed_;
     std::optional<PassProgram> program_;
     GLint ask_location_ = -1, place_location_ = -1;

@@ -297,7 +297,7 @@ void run_probe(const ProbeOptions& options) {
             return print(found, options);
         }
         Probe probe(session.preset(), session.pass(), session.program_options(),
-                    wish_of(options, session));
+                    wish_of(options, session), session.renderer().give_up());
         if (options.along == "time")
             probe_frames(session, probe, options, place, found);
         else if (!options.line.empty() && probe.probed().sites.empty() && probe.notes().empty())

@@ -559,7 +559,7 @@ void run_study(const StudyOptions& options) {
     }
     std::string csv = csv_header();
     for (const Study& study : studies) csv += to_csv(study);
-    if (!options.output.empty() && !to_preset) {
+    if (!options.output.empty() && !to_preset && !studies.empty()) {  // else an older one stays
         const std::string json = json_text(to_json(studies, context->renderer())) + "\n";
         write_whole_file(cleared(options.output / "study.json"), std::as_bytes(std::span(json)));
         write_whole_file(cleared(options.output / "study.csv"), std::as_bytes(std::span(csv)));
@@ -567,7 +567,7 @@ void run_study(const StudyOptions& options) {
     }
     if (options.csv) say_result("{}", csv);
     if (options.view.json) say_result("{}\n", json_text(to_json(studies, context->renderer())));
-    if (to_preset) write_best(options, studies);
+    if (to_preset && !studies.empty()) write_best(options, studies);
     if (code != ExitCode::done) throw Stop(code);
 }
 
