@@ -269,9 +269,10 @@ Json tweak_json(const Tweak& tweak, const TweakValue& value) {
 
 Json tweaks_json(const Preset& preset) {
     Json list = Json::array();
+    const std::vector<bool> indices = index_tweaks(preset.scene);
     for (std::size_t i = 0; i < preset.values.size(); ++i) {
-        const Tweak& tweak = preset.scene.tweaks[i];
-        list.push_back(tweak_json(tweak, preset.values[i]));
+        list.push_back(tweak_json(preset.scene.tweaks[i], preset.values[i]));
+        if (indices[i]) list.back()["index"] = true;
     }
     return list;
 }

@@ -292,7 +292,7 @@ std::string literal(TweakType type, double value) {
     return text;
 }
 
-std::string constant(const Tweak& tweak, const TweakValue& value) {
+std::string variable(const Tweak& tweak, const TweakValue& value) {
     const int count = component_count(tweak.type);
     std::string components;
     for (int i = 0; i < count; ++i) {
@@ -300,8 +300,12 @@ std::string constant(const Tweak& tweak, const TweakValue& value) {
         components += literal(tweak.type, value[static_cast<std::size_t>(i)]);
     }
     const char* type = glsl_name(tweak.type);
-    return count == 1 ? fmt::format("const {} {} = {};", type, tweak.name, components)
-                      : fmt::format("const {0} {1} = {0}({2});", type, tweak.name, components);
+    return count == 1 ? fmt::format("{} {} = {};", type, tweak.name, components)
+                      : fmt::format("{0} {1} = {0}({2});", type, tweak.name, components);
+}
+
+std::string constant(const Tweak& tweak, const TweakValue& value) {
+    return "const " + variable(tweak, value);
 }
 
 // Whether this bracket begins the size of what is declared here, as in `float a[`.
@@ -333,8 +337,7 @@ bool is_constant(const ProgramOptions& options, std::size_t tweak) {
 }
 
 // Every tweak that the options want so, as a constant; nothing for those that are unused. What an
-// index is made of stays a uniform: with a number that it can tell is out of the array's range no
-// driver compiles, and NVIDIA's tells of variables, too.
+// index is made of stays a uniform: NVIDIA's driver tells what is out of range of variables, too.
 void specialise(const Preset& preset, const ProgramOptions& options, const Reading& reading,
                 const std::unordered_set<std::string_view>& unused, Edits& edits) {
     const std::unordered_set<std::string_view> indices = words_of_indices(reading);
@@ -511,10 +514,25 @@ std::optional<std::size_t> PassText::origin(std::size_t at) const {
     return map.origin(at - user_begin);
 }
 
+std::vector<bool> index_tweaks(const Scene& scene) {
+    const Reading reading = read_glsl(scene.text, known_of_scene());
+    const std::unordered_set<std::string_view> indices = words_of_indices(reading);
+    std::vector<bool> list;
+    for (const Tweak& tweak : scene.tweaks) list.push_back(indices.contains(tweak.name));
+    return list;
+}
+
 EditedText specialised_text(const Preset& preset) {
-    const Reading reading = read_glsl(preset.scene.text, known_of_scene());
+    const Scene& scene = preset.scene;
+    const Reading reading = read_glsl(scene.text, known_of_scene());
     Edits edits(reading);
-    specialise(preset, {.specialise = true}, reading, {}, edits);
+    const std::vector<bool> indices = index_tweaks(scene);
+    for (std::size_t i = 0; i < scene.tweaks.size(); ++i) {
+        const Tweak& tweak = scene.tweaks[i];
+        const std::string written = variable(tweak, preset.values[i]);
+        edits.replace_bytes({tweak.declaration_begin, tweak.declaration_end},
+                            indices[i] ? written : "const " + written);
+    }
     return edits.apply();
 }
 

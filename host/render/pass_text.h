@@ -32,8 +32,12 @@ struct ProgramOptions {
     std::optional<Marked> marked{};
 };
 
-// The scene's text with every tweak as a constant, on the same lines. A declaration may span lines;
-// its line ends are kept.
+// Whether an index may be made of a tweak, by number. Such a one is never a constant: with a number
+// that it can tell is out of the array's range no driver compiles.
+std::vector<bool> index_tweaks(const Scene& scene);
+
+// The scene's text with every tweak as a constant, or as a variable where an index may be made of
+// it, on the same lines. A declaration may span lines; its line ends are kept.
 EditedText specialised_text(const Preset& preset);
 
 // "glint_tweak3".

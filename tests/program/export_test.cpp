@@ -64,6 +64,25 @@ TEST_F(Export, NamesOfOlderGlslStandForTodays) {
     EXPECT_NE(bytes("a.html").find("#define texture2DLod textureLod"), std::string::npos);
 }
 
+// With a constant that is out of an array's range no driver compiles.
+TEST_F(Export, WhatAnIndexIsMadeOfKeepsItsValueAndIsNoConstant) {
+    write("a.frag",
+          "uniform int axis; //@ 1 {x, y, z}\nuniform int n; //@ 9 [1, 9]\n"
+          "uniform vec2 k; //@ 0.25, 0.7\n"
+          "float get(int k) { return vec3(0.1, 0.5, 0.9)[k]; }\n"
+          "void mainImage(out vec4 c, in vec2 p) {\n    float a[8];\n    a[2] = 0.3;\n"
+          "    c = vec4(a[2], get(axis), k.y, 1);\n    if (n < 8) c = vec4(a[n]);\n}\n");
+    write("a.toml", "scene = \"a.frag\"\n[tweaks]\naxis = \"z\"\n");
+    ASSERT_EQ(glint({"export", "a.toml", "-o", "out"}).code, 0);
+    const std::string text = bytes("out/image.glsl");
+    for (const char* line : {"\nint n = 9;", "\nvec2 k = vec2(0.25, 0.699999988);"})
+        EXPECT_NE(text.find(line), text.npos) << text;
+    ASSERT_EQ(glint({"import", "out", "-o", "back.frag"}).err, "");
+    EXPECT_EQ(draw("a.toml").pixels, draw("back.frag").pixels);
+    ASSERT_EQ(glint({"export", "a.toml", "-o", "page.html"}).code, 0);
+    EXPECT_NE(bytes("page.html").find("\"index\":true"), std::string::npos);
+}
+
 // Browsers refuse one that ends nothing, and drivers take it.
 TEST_F(Export, SemicolonsAmongTheFunctionsAreLeftOut) {
     write("a.frag",

@@ -144,6 +144,8 @@ test("tweaks are uniforms or constants, and lines are counted", () => {
     assert.equal(declaration(plan.tweaks[0], [1]), "const float level = float(1.00000000e+0);");
     assert.equal(declaration(plan.tweaks[1], [0, 0.2, 1]), "const vec3 tint = vec3(0.00000000e+0,2.00000003e-1,1.00000000e+0);");
     assert.equal(declaration(plan.tweaks[3], [0]), "const bool lit = bool(0.00000000e+0);");
+    assert.equal(declaration(plan.tweaks[0], [-0]), "const float level = float(-0.00000000e+0);");
+    assert.equal(declaration({name: "n", type: "int", index: true}, [9]), "int n = int(9);");
     assert.equal(declaration(plan.tweaks[2], [2 ** 24 + 1]), "const int kind = int(16777217);");
     assert.equal(textOf(plan, {text: [[0, 1]], soft: [[3, 5]], first: 0}, null, true).text.split("\n").at(-1), "y");
     const {text, added} = textOf(plan, {text: [[0, 3], [4, 5]], first: 2}, null);

@@ -31,7 +31,7 @@ std::string converging(int turns) {
         "    for (int i = 0; i < steps * {0}; ++i) sum += sin(x * float(i) / float(steps));\n"
         "    c = vec4(vec3(abs(sum) / float(steps * {0})), 1);\n"
         "    if (p.x < 6.0) c = vec4(vec3(float(min(steps, 64)) / 255.0), 1);\n}}\n",
-        turns, turns == 1 ? 2048 : 512);  // so good that 64 is far from its own error, or slow
+        turns, turns == 1 ? 1024 : 512);  // so good that 64 is far from its own error, or slow
 }
 
 class Findings : public Window {

@@ -164,9 +164,9 @@ std::vector<std::uint32_t> Screen::picture(glm::ivec2 corner, glm::ivec2 size) c
                                              corner.y, AllPlanes);
     if (image) XDestroyImage(image);  // and not the memory behind it
     if (!taken) throw std::runtime_error("no screenshot");
-    std::vector<std::uint32_t> pixels(pixels_, pixels_ + std::ptrdiff_t{size.x} * size.y);
-    for (std::uint32_t& pixel : pixels) pixel &= 0xffffff;
-    return pixels;
+    const std::ptrdiff_t count = std::ptrdiff_t{size.x} * size.y;
+    for (std::ptrdiff_t i = 0; i < count; ++i) pixels_[i] &= 0xffffff;
+    return {pixels_, pixels_ + count};
 }
 
 void Screen::move(glm::ivec2 to) {

@@ -1,10 +1,13 @@
 // The GLSL of a pass. Tweaks are written in as constants, or are uniforms while one is moved.
 
-// The exponent makes a float of any number.
-const literal = (type, v) => type === "int" ? v : Math.fround(v).toExponential(8);
+// The exponent makes a float of any number, and -0 has a sign of its own.
+const literal = (type, v) =>
+    type === "int" ? v : (Object.is(v, -0) ? "-" : "") + Math.fround(v).toExponential(8);
 
-export const declaration = ({name, type}, value) =>
-    value ? `const ${type} ${name} = ${type}(${value.map(v => literal(type, v))});` : `uniform ${type} ${name};`;
+// What an index may be made of is a variable: a constant out of range does not compile.
+export const declaration = ({name, type, index}, value) => value
+    ? `${index ? "" : "const "}${type} ${name} = ${type}(${value.map(v => literal(type, v))});`
+    : `uniform ${type} ${name};`;
 
 // By whether a value is 0 the host's text divides by it, or multiplies with what is beyond all floats.
 export const definitions = (tweak, i, value) => [
