@@ -96,7 +96,7 @@ std::vector<std::string> words_of(const BenchOptions& options, const std::string
     const ViewOptions& view = options.view;
     std::vector<std::string> words = {"/proc/self/exe", "bench", view.file.string(), "--size",
                                       view.size.empty() ? kSize : view.size};
-    for (const std::string& tweak : view.tweaks) words.insert(words.end(), {"--tweak", tweak});
+    for (std::string& word : tweak_words(view)) words.push_back(std::move(word));
     if (!view.device.empty()) words.insert(words.end(), {"--device", view.device});
     if (!view.specialise) words.push_back("--no-specialise");
     words.insert(words.end(), {"--compile-cache", cache});

@@ -132,6 +132,13 @@ void apply_quality(Preset& preset, const std::string& name) {
 
 }  // namespace
 
+std::vector<std::string> tweak_words(const ViewOptions& view) {
+    std::vector<std::string> words;
+    if (!view.quality.empty()) words = {"--quality", view.quality};
+    for (const std::string& tweak : view.tweaks) words.insert(words.end(), {"--tweak", tweak});
+    return words;
+}
+
 std::vector<std::string> lay_over(Preset& preset, const ViewOptions& options) {
     std::vector<std::string> clamped;
     preset.size = size_of(options, preset.size);

@@ -22,6 +22,9 @@ struct ViewOptions {
     bool json = false;                // results as one object on stdout
 };
 
+// "--quality", "high", "--tweak", "a=1": what turns tweaks, as the command line has it.
+std::vector<std::string> tweak_words(const ViewOptions& view);
+
 // What `still` and `sequence` are asked to do with states. Names may hold a frame's number: %06d.
 struct StateOptions {
     std::string from;    // a file, or a numbered name: the newest of them that is of use

@@ -242,6 +242,18 @@ TEST_F(CheckEnds, TheFrameThatFailedIsTheOneThatIsTold) {
     EXPECT_NE(again("log(iTime)", "worst").find("--time 0 "), std::string::npos);
 }
 
+TEST_F(CheckEnds, AFailureOfAQualityIsDrawnAgainWithIt) {
+    write("s.frag",
+          "uniform int n; //@ 1 [1, 4] quality reference=4\n"
+          "void mainImage(out vec4 c, in vec2 p) { c = vec4(n == 3 ? sqrt(-p.x) : 0.5); }\n");
+    write("s.toml", "scene = \"s.frag\"\n[quality.low]\nn = 3\n");
+    const Json found =
+        report_of(glint({"check", "s.toml", "--quality", "low", "--json", "--case", "size 7x3"}),
+                  6)["cases"][0];
+    EXPECT_NE(found["reproduce"].get<std::string>().find(" --quality low "), std::string::npos)
+        << found;
+}
+
 TEST_F(CheckEnds, ADivisionByZeroThatBecomesNanLaterIsNamedItself) {
     const std::string found = note_of(
         "uniform float b; //@ 0.5 [0, 1]\n"

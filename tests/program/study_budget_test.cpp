@@ -259,6 +259,22 @@ TEST_F(StudyBudget, OverSeveralViewsTheWorstIsNamed) {
     EXPECT_EQ(with("other").code, 2);
 }
 
+// A ratio of two numbers, which halving both leaves as it is.
+TEST_F(StudyBudget, WhatBothReferencesShareIsNoErrorOfNone) {
+    write("ratio.frag",
+          "uniform int steps; //@ 8 [1, 32] log quality reference=32\n"
+          "uniform int reach; //@ 8 [1, 32] log quality reference=32\n"
+          "void mainImage(out vec4 c, in vec2 p) {\n"
+          "    c = vec4(vec3(0.3 + 0.1 * float(reach) / float(steps)), 1);\n}\n");
+    const Outcome outcome = glint(
+        {"study", "ratio.frag", "--size", "16x9", "--seconds", "0.3", "--rmse", "0.001", "--json"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    const Json study = Json::parse(outcome.out)["studies"][0];
+    EXPECT_GT(study["own_error"].get<double>(), 0.01);
+    EXPECT_NE(study["findings"].dump().find("the truth itself may be off"), std::string::npos)
+        << study["findings"];
+}
+
 TEST_F(StudyBudget, SecondsMayBeAFractionOfOne) {
     const Outcome outcome = glint({"study", known_scene("quadrature").string(), "--size", "16x8",
                                    "--vary", "steps=1,2", "--seconds", "0.2"});

@@ -19,9 +19,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string tweak_words(const ViewOptions& view) {
+std::string shell_tweaks(const ViewOptions& view) {
     std::string words;
-    for (const std::string& tweak : view.tweaks) words += " --tweak " + shell_word(tweak);
+    for (const std::string& word : tweak_words(view)) words += " " + shell_word(word);
     return words;
 }
 
@@ -30,8 +30,8 @@ std::string device_words(const ViewOptions& view) {
 }
 
 // What the command line said about tweaks, then what the case changed.
-std::string tweak_words(const CheckSubject& subject) {
-    std::string words = tweak_words(subject.view());
+std::string shell_tweaks(const CheckSubject& subject) {
+    std::string words = shell_tweaks(subject.view());
     for (std::size_t i = 0; i < subject.preset.values.size(); ++i) {
         if (subject.preset.values[i] == subject.opened().values[i]) continue;
         const Tweak& tweak = subject.scene().tweaks[i];
@@ -75,7 +75,7 @@ std::string command_for(const CheckSubject& subject, const CaseResult& result,
         "glint still {} --size {}x{} --time {}{}{}{}{}{} -o {}", shell_file(file.string()), size.x,
         size.y, format_number(subject.still->time),
         subject.still->fps == 60.0 ? "" : " --fps " + format_number(subject.still->fps),
-        own_events ? "" : tweak_words(subject), device_words(subject.view()),
+        own_events ? "" : shell_tweaks(subject), device_words(subject.view()),
         subject.specialised() ? "" : " --no-specialise",
         output == "image" ? "" : " --pass " + output,
         shell_file((folder / (stem + ".exr")).string()));
@@ -194,7 +194,7 @@ std::string case_stem(const Preset& preset, const std::string& name) {
 std::string command_for_case(const ViewOptions& view, const std::string& name) {
     const std::string size = view.size.empty() ? "" : " --size " + view.size;
     return fmt::format("glint check {}{}{}{} --case {}", shell_file(view.file.string()), size,
-                       tweak_words(view), device_words(view), shell_word(name));
+                       shell_tweaks(view), device_words(view), shell_word(name));
 }
 
 std::vector<Case> all_cases(const CheckSubject& subject, const Effort& effort) {

@@ -1,5 +1,6 @@
 // `ms_ratio` of a preset's `[expect]`: how many times longer its frames may take than another
 // look's. A ratio within one run, since no clock of one machine says anything of another.
+#include "base/stopwatch.h"
 #include "measure/check/case.h"
 #include "measure/study/pair.h"
 
@@ -10,9 +11,10 @@
 namespace glint {
 namespace {
 
-constexpr int kRounds = 15;            // at least
-constexpr double kSeconds = 20.0;      // after which no verdict is waited for
-constexpr glm::ivec2 kSize{640, 360};  // unless --size says otherwise, as in a study
+constexpr int kRounds = 15, kFewest = 5;  // at least, the latter where frames are slow
+constexpr double kSeconds = 20.0;         // after which no verdict is waited for
+constexpr double kTimingShare = 0.3;      // of the seconds of all cases, if that is less
+constexpr glm::ivec2 kSize{640, 360};     // unless --size says otherwise, as in a study
 
 // Throws Stop for a look that cannot be read, with the reason on stderr, as everywhere.
 Preset opened_for_timing(const ViewOptions& view, const std::filesystem::path& file) {
@@ -20,6 +22,15 @@ Preset opened_for_timing(const ViewOptions& view, const std::filesystem::path& f
     timed.file = file;
     if (timed.size.empty()) timed.size = fmt::format("{}x{}", kSize.x, kSize.y);
     return file == view.file ? open_preset_again(timed) : open_preset(timed);
+}
+
+// As many as the seconds have room for; an interval of fewer is wider, and blames nobody.
+int rounds_within(double seconds, MeasuredScene& a, MeasuredScene& b) {
+    const Stopwatch frames;
+    a.draw_picture();
+    b.draw_picture();
+    return static_cast<int>(
+        std::clamp(seconds * 1e3 / frames.ms(), double{kFewest}, double{kRounds}));
 }
 
 std::unique_ptr<MeasuredScene> drawn_once(const Preset& preset, Context& context, bool specialise) {
@@ -40,16 +51,19 @@ void check_time(Check& check, CaseResult& result) {
         return result.fail(fmt::format(
             "there is no {}, beside which its time is expected; name a preset or scene in ms_ratio",
             expect.ms_of.string()));
+    const double all = check.effort.seconds;
+    const double seconds = all > 0.0 ? std::min(kSeconds, kTimingShare * all) : kSeconds;
     TimedPair times;
     try {
         const Preset other = opened_for_timing(view, expect.ms_of);
         const Preset own = opened_for_timing(view, view.file);
         const auto a = drawn_once(other, subject.context(), view.specialise);
         const auto b = drawn_once(own, subject.context(), view.specialise);
-        times = time_pair(
-            *a, *b,
-            {.least = kRounds, .seconds = kSeconds, .on_software = subject.context().is_software()},
-            subject.after_frame);
+        times = time_pair(*a, *b,
+                          {.least = rounds_within(seconds, *a, *b),
+                           .seconds = seconds,
+                           .on_software = subject.context().is_software()},
+                          subject.after_frame);
     } catch (const Stop&) {
         return result.fail(
             fmt::format("{} cannot be drawn to compare its time", expect.ms_of.string()));

@@ -91,7 +91,7 @@ public:
     Knob run() {
         draw_truth();
         knob_.second->text = "half of each of them";
-        knob_.second_work = {SecondWork::Kind::share, share_of(*knob_.second)};
+        knob_.second_work = {SecondWork::Kind::share, share_of_second()};
         knob_.rival = rival();
         take_named_second();
         size_ = compared_size(preset_, how_.pass);
@@ -242,10 +242,13 @@ private:
     // what is left after it, by the order that half and a quarter of it show, all else at its
     // reference. These have causes of their own, so that their squares add up. All halved together
     // would not do: what converges fast would pass for what does not, and the other way round.
-    double share_of(const KnobValue& second) {
-        const double between = apart(picture_of(second).rgba, truth_);
+    // Where that changes nothing, as in a ratio of two of them, the other picture is of the one
+    // alone that lacks most.
+    double share_of_second() {
+        double between = apart(picture_of(*knob_.second).rgba, truth_);
+        const bool cancels = between == 0.0;
         double squares = 0.0, most = 0.0;
-        for (std::size_t i = 0; between > 0.0 && i <= knobs_.size(); ++i) {
+        for (std::size_t i = 0; i <= knobs_.size(); ++i) {
             const KnobValue half = truth(0.5, i), quarter = truth(0.25, i);
             if (half.setting == truth(1.0).setting) continue;
             const std::vector<float> picture = picture_of(half).rgba;
@@ -255,6 +258,11 @@ private:
                 own_error(last, {SecondWork::Kind::more, 0.5},
                           matters ? fall(picture_of(quarter).rgba, picture, last) : Fall{});
             squares += left * left;
+            if (cancels && last > between) {
+                between = last;
+                knob_.second = half;
+                knob_.second->text = "half of " + name_of(i);
+            }
             if (left <= most) continue;
             most = left;
             lacks_ = fmt::format("the truth lacks most of {}: {}", name_of(i), three_digits(left));

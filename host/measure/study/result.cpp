@@ -444,8 +444,9 @@ void find_failed_rows(Study& study) {
 
 void find_what_looks_wrong(Study& study) {
     const bool any = std::ranges::any_of(study.rows, &StudyRow::has_error);
-    const bool nothing = std::ranges::none_of(
-        study.rows, [](const StudyRow& row) { return row.has_error() && row.error->max > 0.0; });
+    const bool nothing = std::ranges::none_of(study.rows, [](const StudyRow& row) {
+        return !row.failed.empty() || (row.has_error() && row.error->max > 0.0);
+    });
     if (any && nothing && study.is_joint)
         study.notes.push_back("each setting that was measured draws the reference's very picture");
     else if (any && nothing)
