@@ -1,19 +1,68 @@
 // What ANGLE, the compiler of browsers, refuses by rules of its own.
 #include "glsl/finding.h"
+#include "glsl/operand_type.h"
 #include "glsl/operands.h"
+#include "glsl/variables.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <unordered_set>
+#include <utility>
+#include <vector>
 
 namespace glint {
 namespace {
 
+// ANGLE takes trees of 256 levels, of which those around an expression are a few.
+constexpr int kDeepestTree = 251;
+
+// How deep the tree of a text's expressions gets, from token to token.
+class Depth {
+public:
+    // Behind this token, or 0 where a bracket opens.
+    int behind(const Token& token, const Token* before) {
+        if (token.is("(") || token.is("[")) {
+            const bool is_call = before && (before->is_word() || before->is("]"));
+            levels_.push_back({.outer = is_call || token.is("[") ? 1 : 0});
+        } else if ((token.is(")") || token.is("]")) && levels_.size() > 1) {
+            const int inner = levels_.back().outer + levels_.back().deepest();
+            levels_.pop_back();
+            levels_.back().operand = std::max(levels_.back().operand, inner);
+        } else if (token.is("*") || token.is("/") || token.is("%")) {
+            levels_.back().end_factor();
+        } else if ((token.is("+") || token.is("-")) && before && ends_operand(*before)) {
+            levels_.back().end_product();
+        } else if (token.is("{") || token.is("}") || token.is(";")) {
+            levels_.assign(1, {});
+        } else if (token.kind == TokenKind::symbol && !token.is(".") && !token.is("-") &&
+                   !token.is("+")) {
+            levels_.back().end_sum();
+        }
+        return levels_.back().deepest();
+    }
+
+private:
+    struct Level {
+        int outer = 0;  // what the bracket itself adds
+        int operand = 0, product = 0, sum = 0, all = 0;
+        int of_product() const { return product > 0 ? std::max(product, operand + 1) : operand; }
+        int of_sum() const { return sum > 0 ? std::max(sum, of_product() + 1) : of_product(); }
+        int deepest() const { return std::max(of_sum(), all); }
+        void end_factor() { product = of_product() + 1, operand = 0; }
+        void end_product() { sum = of_sum() + 1, product = operand = 0; }
+        void end_sum() { all = deepest(), sum = product = operand = 0; }
+    };
+    static bool ends_operand(const Token& token) {
+        return token.is_word() || token.kind == TokenKind::number || token.is(")") || token.is("]");
+    }
+    std::vector<Level> levels_{1};
+};
+
 class BrowserRules {
 public:
     BrowserRules(const Reading& reading, const std::vector<bool>& wanted)
-        : reading_(reading), wanted_(wanted) {
+        : reading_(reading), wanted_(wanted), variables_(reading) {
         for (const Struct& one : reading.structs)
             if (one.name != kNone) structs_.insert(reading.word(one.name));
     }
@@ -23,8 +72,10 @@ public:
             for (const Declarator& one : declaration.names) look_at(declaration, one);
             refuse_output(declaration);
         }
-        for (const Statement& statement : reading_.statements)
-            if (is_wanted(statement.function)) look_at(statement);
+        for (std::uint32_t i = 0; i < reading_.statements.size(); ++i)
+            if (is_wanted(reading_.statements[i].function)) look_at(i);
+        for (std::uint32_t i = 0; i < reading_.functions.size(); ++i)
+            if (is_wanted(i)) look_at_expressions(i);
         for (const std::uint32_t index : reading_.functions_named("mainImage"))
             look_at_entry(reading_.functions[index]);
         std::ranges::stable_sort(findings_, {}, &Finding::at);
@@ -62,52 +113,100 @@ private:
     // `out vec4 colour;` beside the output that mainImage writes.
     void refuse_output(const Declaration& declaration) {
         const bool is_output = declaration.scope == Scope::global && declaration.is_out;
+        const TokenRange words = declaration.qualifiers;
+        for (std::uint32_t at = words.begin; at < words.end; ++at)
+            if (reading_.tokens[at].is("location")) return;
         if (!is_output || reading_.functions_named("mainImage").empty()) return;
         add(reading_.place(declaration.tokens.begin).begin,
             "browsers refuse a second output without a location, and the site has one of its own: "
             "take out this 'out'");
     }
 
+    // Of a global's first value; those of functions are looked for in their bodies.
     void look_at(const Declaration& declaration, const Declarator& one) {
-        const bool is_local = declaration.scope == Scope::local;
-        if (one.initial.empty() || (is_local && !is_wanted(declaration.owner))) return;
+        if (one.initial.empty() || declaration.scope != Scope::global) return;
         if (!one.array.empty() || !declaration.type_array.empty())
             refuse_choice(one.initial, "arrays");
         else if (is_of_struct(declaration))
             refuse_choice(one.initial, "structures");
     }
 
-    void look_at(const Statement& statement) {
-        if (statement.kind == StatementKind::return_) {
-            const Function& function = reading_.functions[statement.function];
-            if (!function.type_array.empty())
-                refuse_choice(statement.head, "arrays");
-            else if (structs_.contains(reading_.word(function.type)))
-                refuse_choice(statement.head, "structures");
-        }
+    void look_at(std::uint32_t index) {
+        const Statement& statement = reading_.statements[index];
+        if (statement.kind == StatementKind::for_ || statement.kind == StatementKind::while_)
+            refuse_endless(index);
         if (statement.kind != StatementKind::expression) return;
         const TokenRange all = {statement.tokens.begin, statement.tokens.end - 1};
-        const bool assigns = all.size() > 2 && reading_.tokens[all.begin + 1].is("=");
-        const TokenRange value = {all.begin + 2, all.end};
-        if (assigns && choice_in(value) != kNone &&
-            is_struct_variable(all.begin, statement.function))
-            refuse_choice(value, "structures");
-        const std::uint32_t choice = assigns ? kNone : choice_in(all);
+        const std::uint32_t choice = choice_in(all);
         if (choice != kNone && gives_nothing(choice + 1)) refuse_choice(all, "void");
     }
 
-    // Of what was declared last by that name, in the function or outside of all.
-    bool is_struct_variable(std::uint32_t name, std::uint32_t function) const {
-        bool is_struct = false;
-        for (const Declaration& declaration : reading_.declarations) {
-            const bool is_seen =
-                declaration.scope == Scope::global ||
-                (declaration.scope != Scope::member && declaration.owner == function);
-            for (const Declarator& one : declaration.names)
-                if (is_seen && one.name < name && reading_.word(one.name) == reading_.word(name))
-                    is_struct = one.array.empty() && is_of_struct(declaration);
+    // One that always goes on, with neither a return nor a break of its own.
+    void refuse_endless(std::uint32_t index) {
+        const Statement& loop = reading_.statements[index];
+        const TokenRange condition = without_parentheses(reading_, loop.condition);
+        const bool goes_on = condition.empty() ||
+                             (condition.size() == 1 && reading_.tokens[condition.begin].is("true"));
+        if (!goes_on) return;
+        for (std::uint32_t at = index + 1; at < loop.next; ++at) {
+            const StatementKind kind = reading_.statements[at].kind;
+            if (kind == StatementKind::return_) return;
+            if (kind == StatementKind::break_ && holder_of(at) == index) return;
         }
-        return is_struct;
+        add(reading_.place(loop.tokens.begin).begin,
+            "browsers refuse a loop that always goes on, with no break or return of its own; give "
+            "it an end");
+    }
+
+    // The loop or switch that a break leaves.
+    std::uint32_t holder_of(std::uint32_t index) const {
+        std::uint32_t at = reading_.statements[index].parent;
+        while (at != kNone && !is_loop(reading_.statements[at].kind) &&
+               reading_.statements[at].kind != StatementKind::switch_)
+            at = reading_.statements[at].parent;
+        return at;
+    }
+
+    void look_at_expressions(std::uint32_t function) {
+        const TokenRange body = reading_.functions[function].body;
+        Depth depth;
+        bool is_told = false;
+        for (std::uint32_t at = body.begin; at < body.end; ++at) {
+            const Token& token = reading_.tokens[at];
+            if (token.is("?")) refuse_choice_at(at, function);
+            if (depth.behind(token, at > body.begin ? &reading_.tokens[at - 1] : nullptr) <
+                    kDeepestTree ||
+                std::exchange(is_told, true))
+                continue;
+            add(reading_.place(at).begin,
+                "browsers refuse an expression with more than 250 operators or calls within one "
+                "another; keep parts of it in variables");
+        }
+    }
+
+    // By the first of the two between which it chooses.
+    void refuse_choice_at(std::uint32_t choice, std::uint32_t function) {
+        const std::uint32_t end =
+            operand_end(reading_, choice + 1, reading_.functions[function].body.end);
+        const TokenRange first = {choice + 1, end};
+        const auto type = type_of_operand(reading_, variables_, first, function);
+        const bool is_array = type ? type->lengths > 0 : makes_array(first);
+        const bool is_struct = type && type->lengths == 0 && type->structure != kNone;
+        if (is_array || is_struct)
+            add(reading_.place(choice).begin,
+                fmt::format("browsers refuse ?: for {}, which desktop compilers take: write if and "
+                            "else",
+                            is_array ? "arrays" : "structures"));
+    }
+
+    // `float[2](1.0, 2.0)`
+    bool makes_array(TokenRange range) const {
+        range = without_parentheses(reading_, range);
+        if (range.size() < 4 || !reading_.tokens[range.begin + 1].is("[")) return false;
+        const std::uint32_t size_end = reading_.close_of(range.begin + 1);
+        return size_end != kNone && size_end + 1 < range.end &&
+               reading_.tokens[size_end + 1].is("(") &&
+               reading_.close_of(size_end + 1) + 1 == range.end;
     }
 
     // Whether a void function of the text is called there.
@@ -125,10 +224,19 @@ private:
             add(reading_.place(colour.tokens.begin).begin,
                 "browsers refuse mainImage(inout …): the site declares it with `out vec4, in "
                 "vec2`; write out");
+        for (const std::uint32_t parameter : function.parameters) {
+            const TokenRange words = reading_.declarations[parameter].qualifiers;
+            for (std::uint32_t at = words.begin; at < words.end; ++at)
+                if (reading_.tokens[at].is("const"))
+                    add(reading_.place(at).begin,
+                        "the site refuses this const, since it declares mainImage with `in vec2`: "
+                        "take it out");
+        }
     }
 
     const Reading& reading_;
     const std::vector<bool>& wanted_;
+    Variables variables_;
     std::unordered_set<std::string_view> structs_;
     std::vector<Finding> findings_;
 };

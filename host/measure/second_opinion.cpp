@@ -133,9 +133,10 @@ std::optional<std::string> log_of(const std::string& text) {
 }
 
 // What browsers take and the validator alone refuses, after which it is lost: an empty argument of
-// a macro that takes none, and an odd quote in a branch that is not compiled.
+// a macro that takes none, an odd quote in a branch that is not compiled, a word of later GLSL.
 bool is_refused_by_it_alone(std::string_view why) {
-    return why.starts_with("Too few args in Macro") || why.starts_with("End of line in string");
+    return why.starts_with("Too few args in Macro") || why.starts_with("End of line in string") ||
+           why.find("unexpected SHARED") != why.npos;
 }
 
 // Browsers take what GLSL's functions make of constants for one, as the driver does (GLSL ES 3.00,
@@ -143,6 +144,11 @@ bool is_refused_by_it_alone(std::string_view why) {
 bool is_of_constants(std::string_view why, std::string_view word) {
     return why.starts_with("global const initializers must be constant") ||
            word == "non-constant initializer";
+}
+
+// Of a function of GLSL's own by a variable; that of anything else the driver has refused already.
+bool is_of_builtin(std::string_view why) {
+    return why == "redefinition";
 }
 
 // The byte of a line, from 1, at which a word stands; its first one that is no space otherwise.
@@ -184,7 +190,7 @@ std::optional<std::vector<PlacedFinding>> findings_of(const Preset& preset, std:
         std::from_chars(digits.data(), digits.data() + digits.size(), line);
         if (is_refused_by_it_alone(why)) return std::vector<PlacedFinding>();
         if (why.starts_with("compilation terminated") || line <= head_lines) continue;
-        if (is_of_constants(why, word)) continue;
+        if (is_of_constants(why, word) || is_of_builtin(why)) continue;
         const std::size_t at = find_in_line(site.text, line - head_lines, word);
         findings.push_back(
             {std::string(kWebGl),

@@ -202,8 +202,10 @@ bool has_sound(const Reading& reading, const std::unordered_set<std::string_view
             return reading.word(one.name) == "mainSound";
         });
     };
-    return words.contains("mainSound") && (!reading.functions_named("mainSound").empty() ||
-                                           std::ranges::none_of(reading.declarations, is_named_so));
+    if (!reading.functions_named("mainSound").empty()) return true;
+    const bool is_understood = reading.is_balanced && reading.not_understood.empty();
+    return !is_understood && words.contains("mainSound") &&
+           std::ranges::none_of(reading.declarations, is_named_so);
 }
 
 std::optional<Span> find_wrong_sound(const Reading& reading) {

@@ -98,8 +98,60 @@ TEST(BrowserRules, RefuseAChoiceOfWhatIsNoNumber) {
     EXPECT_EQ(refused(head + "float x = c ? s.a : t.a; x = c ? 1.0 : g(c ? 1 : 2); return s; }"),
               Words());
     EXPECT_EQ(refused("void f(bool c) { float a[2], b[2]; float d[2] = c ? a : b; }").size(), 1u);
+    for (const char* use : {"u = (c ? s : t);", "g((c ? s : t).a);", "g(c ? (s) : t);",
+                            "g((c ? f(c, s, t) : s).a);", "g((c ? S(1.0) : s).a);"})
+        EXPECT_EQ(refused(head + "S u; " + use + " return u; }").size(), 1u) << use;
+    const std::string arrays =
+        "struct A { float m[2]; };\nvoid f(bool c) { float a[2], b[2]; A s; ";
+    for (const char* use : {"a = c ? a : b;", "g((c ? a : b)[0]);", "g(c ? a : b);",
+                            "g((c ? s.m : b)[0]);", "a = c ? float[2](1.0, 2.0) : a;"})
+        EXPECT_EQ(refused(arrays + use + " }").size(), 1u) << use;
+    for (const char* use : {"g(c ? a[0] : b[1]);", "g(c ? s.m[1] : 1.0);",
+                            "g(c ? float[2](1.0, 2.0)[1] : 1.0);", "c = c ? c : !c;"})
+        EXPECT_EQ(refused(arrays + use + " }"), Words()) << use;
     EXPECT_EQ(refused("void g() {}\nvoid f(bool c) { c ? g() : g(); }").size(), 1u);
     EXPECT_EQ(refused("float g() { return 1.0; }\nvoid f(bool c) { c ? g() : g(); }"), Words());
+}
+
+// As Chromium does.
+TEST(BrowserRules, RefuseALoopWithoutAnEnd) {
+    const auto loops = [](const std::string& loop) {
+        return refused("void f() { float x; " + loop + " }").size();
+    };
+    for (const char* endless :
+         {"for (;;) {}", "while (true) { for (;;) break; }", "for (int i = 0;; i++) x += 1.;",
+          "for (;;) { if (x > 1.) discard; }", "for (; (true);) { switch (1) { case 1: break; } }"})
+        EXPECT_EQ(loops(endless), 1u) << endless;
+    for (const char* ends :
+         {"for (;;) { break; }", "while (true) { if (x > 1.) { x = 2.; break; } }",
+          "for (;;) { for (;;) { return; } }", "do {} while (true);", "while (x < 1.) x += 1.;"})
+        EXPECT_EQ(loops(ends), 0u) << ends;
+}
+
+TEST(BrowserRules, RefuseADeepExpression) {
+    const auto chain = [](int count, const std::string& begin, const std::string& end) {
+        std::string text = "float f(float v) { return ";
+        for (int i = 0; i < count; ++i) text += begin;
+        text += "v";
+        for (int i = 0; i < count; ++i) text += end;
+        return refused(text + "; }\nfloat g(float v) { return f(-v); }").size();
+    };
+    for (const auto& [begin, end] : {std::pair("", " + v"),
+                                     {"", " + v * v"},
+                                     {"sin(", ")"},
+                                     {"(", " + v)"},
+                                     {"", " * -v"},
+                                     {"max(v, 1. + ", ")"}}) {
+        const int levels = std::string_view(begin).starts_with("max") ? 2 : 1;
+        EXPECT_EQ(chain(260 / levels, begin, end), 1u) << begin << end;
+        EXPECT_EQ(chain(240 / levels, begin, end), 0u) << begin << end;
+    }
+    EXPECT_EQ(chain(300, "(", ")"), 0u);
+    EXPECT_EQ(chain(300, "", "; v += v"), 0u);
+}
+
+TEST(BrowserRules, RefuseAConstPlace) {
+    EXPECT_EQ(refused("void mainImage(out vec4 c, const in vec2 p) { c = vec4(1); }").size(), 1u);
 }
 
 TEST(BrowserRules, RefuseAColourThatIsInout) {
@@ -110,6 +162,7 @@ TEST(BrowserRules, RefuseAColourThatIsInout) {
 TEST(BrowserRules, RefuseAnOutputBesideTheSites) {
     const std::string entry = "void mainImage(out vec4 c, in vec2 p) { c = vec4(1); }\n";
     EXPECT_EQ(refused("out vec4 colour;\n" + entry).size(), 1u);
+    EXPECT_TRUE(refused("layout(location = 0) out vec4 colour;\n" + entry).empty());
     EXPECT_TRUE(refused("vec4 colour;\nvoid f(out vec4 x) { x = colour; }\n" + entry).empty());
     EXPECT_TRUE(refused("out vec4 colour;\nvoid main() { colour = vec4(1); }\n").empty());
 }
