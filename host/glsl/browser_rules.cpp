@@ -133,8 +133,10 @@ private:
 
     void look_at(std::uint32_t index) {
         const Statement& statement = reading_.statements[index];
-        if (statement.kind == StatementKind::for_ || statement.kind == StatementKind::while_)
+        if (statement.kind == StatementKind::for_ || statement.kind == StatementKind::while_) {
             refuse_endless(index);
+            refuse_second_names(index);
+        }
         if (statement.kind != StatementKind::expression) return;
         const TokenRange all = {statement.tokens.begin, statement.tokens.end - 1};
         const std::uint32_t choice = choice_in(all);
@@ -156,6 +158,26 @@ private:
         add(reading_.place(loop.tokens.begin).begin,
             "browsers refuse a loop that always goes on, with no break or return of its own; give "
             "it an end");
+    }
+
+    // `for (int i = 0; …) { int i; }`: head and body are one scope there.
+    void refuse_second_names(std::uint32_t index) {
+        const Statement& loop = reading_.statements[index];
+        if (loop.declaration == kNone) return;
+        const bool has_block =
+            index + 1 < loop.next && reading_.statements[index + 1].kind == StatementKind::block;
+        const std::uint32_t scope = has_block ? index + 1 : index;
+        for (std::uint32_t at = index + 1; at < loop.next; ++at) {
+            const Statement& inner = reading_.statements[at];
+            if (inner.parent != scope || inner.kind != StatementKind::declaration) continue;
+            for (const Declarator& second : reading_.declarations[inner.declaration].names)
+                for (const Declarator& first : reading_.declarations[loop.declaration].names)
+                    if (reading_.word(first.name) == reading_.word(second.name))
+                        add(reading_.place(second.name).begin,
+                            fmt::format("browsers refuse a second '{}', which the loop's head "
+                                        "declares; give it another name",
+                                        reading_.word(second.name)));
+        }
     }
 
     // The loop or switch that a break leaves.

@@ -150,6 +150,20 @@ TEST(BrowserRules, RefuseADeepExpression) {
     EXPECT_EQ(chain(300, "", "; v += v"), 0u);
 }
 
+TEST(BrowserRules, RefuseASecondNameOfALoop) {
+    const auto loops = [](const std::string& loop) {
+        return refused("void f() { float x; " + loop + " }").size();
+    };
+    EXPECT_EQ(loops("for (int i = 0; i < 3; i++) { x += 1.; int i = 2; }"), 1u);
+    EXPECT_EQ(loops("for (int i = 0; i < 3; i++) int i = 2;"), 1u);
+    EXPECT_EQ(loops("while (bool b = x < 1.) { bool b = true; }"), 1u);
+    for (const char* others :
+         {"for (int i = 0; i < 3; i++) { { int i = 2; } }", "for (int i = 0; i < 3; i++) int k;",
+          "for (int i = 0; i < 3; i++) for (int i = 0; i < 3; i++) x += 1.;",
+          "for (int i = 0; i < 3; i++) { int j = i; } int j;"})
+        EXPECT_EQ(loops(others), 0u) << others;
+}
+
 TEST(BrowserRules, RefuseAConstPlace) {
     EXPECT_EQ(refused("void mainImage(out vec4 c, const in vec2 p) { c = vec4(1); }").size(), 1u);
 }
