@@ -2,7 +2,7 @@
 
 // The exponent makes a float of any number, and -0 has a sign of its own.
 const literal = (type, v) =>
-    type === "int" ? v : (Object.is(v, -0) ? "-" : "") + Math.fround(v).toExponential(8);
+    type === "int" ? v : (1 / v === -Infinity ? "-" : "") + Math.fround(v).toExponential(8);
 
 // What an index may be made of is a variable: a constant out of range does not compile.
 export const declaration = ({name, type, index}, value) => value
