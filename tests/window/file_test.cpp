@@ -133,6 +133,29 @@ TEST_F(File, SaveAsGoesOnWithUndoLocksAndTheFrame) {
     EXPECT_EQ(read(look()), std::string("locked = [\"level\"]\n") + kLook) << "the first stays";
 }
 
+TEST_F(File, SaveAsGoesOnAlsoWhileTheTextHasAnError) {
+    open_look();
+    const std::string text = read(scene());
+    write(scene(), "x" + text);
+    ASSERT_TRUE(glint_->says(": not shown")) << glint_->errors();
+    const fs::path copy = folder_->path() / "look-2.toml";
+    screen_->tap("Control_L+Shift_L+s");
+    ASSERT_TRUE(eventually([&] {
+        screen_->tap("Return");
+        return eventually([&] { return fs::exists(copy); }, 0.2);
+    }));
+    EXPECT_TRUE(becomes_unsaved(false));
+    const Colour changed = change();
+    write(scene(), text + "\n");
+    ASSERT_TRUE(eventually([&] { return glint_->count(": shown") >= 2; })) << glint_->errors();
+    EXPECT_TRUE(eventually([&] { return pixel() == changed; }));
+    EXPECT_TRUE(becomes_unsaved(true));
+    screen_->tap("Control_L+s");
+    EXPECT_TRUE(becomes_unsaved(false));
+    EXPECT_NE(read(copy).find("other = "), std::string::npos) << read(copy);
+    EXPECT_EQ(read(look()), kLook);
+}
+
 TEST_F(File, OfAnotherSceneIsReplacedByACopyOfWhatIsOpen) {
     const fs::path other = folder_->path() / "look-2.toml";
     open_look();

@@ -126,6 +126,24 @@ TEST_F(Recording, TheFilesEventsStayAroundWhatIsRecordedAndNothingDoneIsNothing)
         EXPECT_NE(saved.find(key), std::string::npos) << key << " in\n" << saved;
 }
 
+TEST_F(Recording, GoesOnWhereAQuitIsCancelled) {
+    const fs::path preset = folder_->path() / "keys.toml";
+    write(scene(),
+          "void mainImage(out vec4 c, in vec2 p) { c = vec4(0.2, 0.2, fract(iTime), 1); }\n");
+    write(preset, "scene = \"scene.frag\"\n");
+    start({preset.string()});
+    ASSERT_TRUE(glint_->says(": shown")) << glint_->errors();
+    const auto tap = [&](const char* keys) {
+        screen_->tap(keys);
+        std::this_thread::sleep_for(300ms);
+    };
+    for (const char* keys : {"F9", "Right", "Control_L+q", "Escape", "Left", "F9", "Control_L+s"})
+        tap(keys);
+    EXPECT_TRUE(eventually([&] { return !screen_->title().ends_with(" * - Glint"); }));
+    for (const char* key : {"\"right\"", "\"left\""})
+        EXPECT_NE(read(preset).find(key), std::string::npos) << key << " in\n" << read(preset);
+}
+
 // Of what was done before only what the scene asks for leads to its pictures.
 TEST_F(Recording, WhatIsHeldAtItsEndIsLetGoAndWhatNobodyReadsIsNotSaidAtItsStart) {
     const fs::path preset = folder_->path() / "held.toml";

@@ -171,6 +171,10 @@ TEST_F(Work, WhatACrashInterruptsIsOfferedAtTheNextStart) {
     glint_->wait();
     open_look();
     EXPECT_TRUE(asks());
+    screen_->tap("Control_L+q");  // without an answer
+    EXPECT_TRUE(eventually([&] { return !glint_->runs(); }));
+    open_look();
+    EXPECT_TRUE(asks());
     screen_->tap("Return");
     EXPECT_TRUE(asks_no_more());
     EXPECT_TRUE(eventually([&] { return red() == changed; })) << red();

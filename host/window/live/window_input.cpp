@@ -138,7 +138,8 @@ void PlaygroundWindow::end_typing() {
 bool PlaygroundWindow::run_shortcut(int key, int modifiers) {
     const std::optional<Action> action = action_of(key, modifiers);
     if (!action) return false;
-    if (leaving_ || offer_ || overwriting_) return true;  // a question waits
+    // A question waits; an offer does so for the next window, too.
+    if (leaving_ || overwriting_ || (offer_ && *action != Action::quit)) return true;
     // What a person types into a field, and undoes there, is not meant for the window. Panels that
     // have the keyboard want none of the function keys.
     const bool moves_on = *action == Action::next_panel || *action == Action::panel_before;

@@ -127,10 +127,8 @@ bool PlaygroundWindow::takes_away(Leaving::For what) const {
 // Does what would take unsaved work away, or asks first.
 void PlaygroundWindow::leave(const Leaving& leaving) {
     dirty_ = true;
-    if (leaving.what == Leaving::For::quit || leaving.what == Leaving::For::open) {
-        stop_recording();
+    if (leaving.what == Leaving::For::quit || leaving.what == Leaving::For::open)
         show_hidden_work();
-    }
     if (!takes_away(leaving.what)) return go(leaving);
     leaving_ = leaving;
     window_.show();
@@ -358,7 +356,7 @@ bool PlaygroundWindow::save(const fs::path& file, Over over) {
     watch_.reset();
     if (file == file_)
         playground_.note_saved(preset);
-    else if (values_known_ && !playground_.shows_older_text())
+    else if (values_known_)  // of an older text, too: the newest one, once mended, goes on from it
         go_on_in(file, preset);
     else
         open(file);

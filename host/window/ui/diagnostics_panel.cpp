@@ -4,6 +4,7 @@
 #include "window/ui/widgets.h"
 
 #include <fmt/format.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <cmath>
@@ -214,6 +215,9 @@ void diagnostics_panel(Build& build, DiagnosticsState& state) {
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
                      ImGuiWindowFlags_NoFocusOnAppearing);
+    // Over panels that were opened since; what is chosen from a list is chosen first.
+    if (!ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))
+        ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
     heading(build, state);
     for (std::size_t i = 0; i < state.shown.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));

@@ -325,6 +325,17 @@ void open_all(Screen& screen) {
     for (int i = 0; i < 4; ++i) screen.frame();
 }
 
+TEST(Errors, StandOverPanelsThatAreOpenedLater) {
+    Screen screen(two_numbers());
+    const Diagnostics diagnostics{{Severity::error, {"none.frag", 3, 1}, "wrong"}};
+    screen.facts.diagnostics = diagnostics;
+    for (int i = 0; i < 4; ++i) screen.frame();
+    open_all(screen);
+    const ImGuiWindow* list = screen.window("diagnostics");
+    ASSERT_TRUE(list);
+    EXPECT_EQ(ImGui::GetCurrentContext()->Windows.back()->RootWindow, list);
+}
+
 TEST(Panels, StandWithoutAScene) {
     Screen screen({});
     screen.facts.scene = nullptr;
