@@ -242,6 +242,16 @@ TEST_F(CheckEnds, TheFrameThatFailedIsTheOneThatIsTold) {
     EXPECT_NE(again("log(iTime)", "worst").find("--time 0 "), std::string::npos);
 }
 
+TEST_F(CheckEnds, OfASoundTheSampleIsTold) {
+    const std::string found = note_of(
+        "vec2 mainSound(int samp, float time) {\n"
+        "    float n[4] = float[4](220.0, 247.0, 262.0, 294.0);\n"
+        "    return vec2(0.1 * sin(6.2831 * n[int(time * 2.0)] * time));\n}\n"
+        "void mainImage(out vec4 c, in vec2 p) { c = vec4(0.5); }\n",
+        "sound", 6);
+    EXPECT_NE(found.find("index 4 out of range; at 2.000 s"), std::string::npos) << found;
+}
+
 TEST_F(CheckEnds, AFailureOfAQualityIsDrawnAgainWithIt) {
     write("s.frag",
           "uniform int n; //@ 1 [1, 4] quality reference=4\n"

@@ -314,6 +314,39 @@ inline void add_other_words(std::vector<Planted>& list) {
     list.push_back({"words/comet", comet("0.97"), comet("exp(-1.8 * iTimeDelta)")});
 }
 
+// What hides behind a guard, and what only a sound does.
+inline void add_guarded(std::vector<Planted>& list) {
+    // A wave whose largest stable share is a half; a value that grew too large counts as 0.
+    const auto wave = [](const char* share) {
+        return fmt::format(
+            "uniform sampler2D buf; //@ pass mainBuf size=32x32 step=1/60\n"
+            "float at(ivec2 i) {{\n"
+            "    float v = texelFetch(buf, clamp(i, ivec2(0), ivec2(31)), 0).x;\n"
+            "    return abs(v) <= 6e4 ? v : 0.0;\n}}\n"
+            "void mainBuf(out vec4 c, in vec2 p) {{\n"
+            "    ivec2 i = ivec2(p);\n    vec4 s = texelFetch(buf, i, 0);\n"
+            "    s = mix(vec4(0.0), s, lessThanEqual(abs(s), vec4(6e4)));\n"
+            "    float h = s.x, lap = at(i + ivec2(1, 0)) + at(i - ivec2(1, 0)) +\n"
+            "                         at(i + ivec2(0, 1)) + at(i - ivec2(0, 1)) - 4.0 * h;\n"
+            "    float w = 0.99 * (2.0 * h - s.y + {} * 3600.0 * iTimeDelta * iTimeDelta * lap);\n"
+            "    if (s.w == 0.0) w = h = exp(-0.2 * dot(p - 16.0, p - 16.0));\n"
+            "    c = vec4(w, h, 0.0, 1.0);\n}}\n"
+            "void mainImage(out vec4 c, in vec2 p) {{\n"
+            "    c = vec4(0.5 + 0.1 * tanh(1e-3 * texture(buf, p / iResolution.xy).x));\n}}\n",
+            share);
+    };
+    list.push_back({"growth/behind_a_guard", wave("0.81"), wave("0.4")});
+    const auto loops = [](int turns) {
+        return fmt::format(
+            "vec2 mainSound(int samp, float time) {{\n    int n = 0;\n"
+            "    for (int k = 0; k < {}; k++) n += (k ^ samp) >= 0 ? 1 : 2;\n"
+            "    return vec2(float(n % 1000) * 1e-3 - 0.5);\n}}\n"
+            "void mainImage(out vec4 c, in vec2 p) {{ c = vec4(0.5); }}\n",
+            turns);
+    };
+    list.push_back({"sound/loops", loops(100'000), loops(500)});
+}
+
 }  // namespace planting
 
 inline std::vector<Planted> outside_faults() {
@@ -323,6 +356,7 @@ inline std::vector<Planted> outside_faults() {
     planting::add_situations(list);
     planting::add_other_passes(list);
     planting::add_other_words(list);
+    planting::add_guarded(list);
     return list;
 }
 

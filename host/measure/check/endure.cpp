@@ -60,6 +60,25 @@ double steps_a_second(const CheckSubject& subject) {
 
 constexpr const char* kHiddenByALimit =
     "the step is unstable, though a limit hides it: the state goes to and fro from step to step";
+constexpr const char* kHiddenByAGuard =
+    "the step is unstable, though a guard hides it: by shorter steps the state stays a thousand "
+    "times smaller";
+
+// What `play` says of the same text with so many steps in place of each, from its start; `often`:
+// how many those are a second.
+template <typename Play>
+auto by_finer_steps(CheckSubject& subject, int finer, Play play) {
+    const double often = finer * steps_a_second(subject);
+    const std::vector<TweakValue> values = subject.preset.values;
+    std::vector<Pass>& passes = subject.preset.scene.passes;
+    const std::vector<Pass> whole = passes;
+    for (Pass& pass : passes) pass.step.denominator *= finer;
+    subject.restore();
+    subject.preset.values = values;
+    auto said = play(often);
+    passes = whole;
+    return said;
+}
 
 // Whether the step is unstable, and a limit hides it: the state goes to and fro from step to step,
 // and does not with a half or an eighth of each, or far beyond `usual`, whatever lengths a text
@@ -69,22 +88,32 @@ bool chatters_by_steps(const Check& check, const StateCurves& curves, float usua
     const double rate = steps_a_second(subject);
     const double played = static_cast<double>(curves.frames()) / 60.0;
     if (!goes_to_and_fro(subject, static_cast<int>(played * rate), rate)) return false;
-    const std::vector<TweakValue> values = subject.preset.values;
-    std::vector<Pass>& passes = subject.preset.scene.passes;
-    const std::vector<Pass> whole = passes;
-    bool still = true;
-    for (const int finer : {2, 8}) {
-        for (std::size_t i = 0; i < passes.size(); ++i)
-            passes[i].step.denominator = finer * whole[i].step.denominator;
-        subject.restore();
-        subject.preset.values = values;
-        const double often = finer * rate;
+    const auto still = [&](double often) {
         const int frames = static_cast<int>(kHalfPlayed * often);
-        still = still && subject.play_frames(0, frames, often) &&
-                goes_to_and_fro(subject, frames, often);
-    }
-    passes = whole;
-    return !still || curves.stands_beyond(usual);
+        return subject.play_frames(0, frames, often) && goes_to_and_fro(subject, frames, often);
+    };
+    return !by_finer_steps(subject, 2, still) || !by_finer_steps(subject, 8, still) ||
+           curves.stands_beyond(usual);
+}
+
+// Whether it grows large at once, by the length of its steps alone: a guard that takes what is too
+// large for 0 lets it begin anew, as if it had a level of its own. As long by a half or an eighth
+// of each it stays small. The subject stands somewhere else afterwards.
+bool grows_by_steps(const Check& check, const StateCurves& curves) {
+    constexpr double kShare = 0.05;  // of the seconds
+    if (curves.largest() < kFar) return false;
+    const CaseClock clock(check);
+    const auto stays_small = [&](double often) {
+        const int frames = static_cast<int>(static_cast<double>(curves.frames()) / 60.0 * often);
+        for (int k = 0; k < frames; ++k) {
+            if (clock.is_over(kShare) || !check.subject.play_frames(k, k + 1, often) ||
+                check.subject.largest_state() * kFar > curves.largest())
+                return false;
+        }
+        return true;
+    };
+    return by_finer_steps(check.subject, 2, stays_small) ||
+           by_finer_steps(check.subject, 8, stays_small);
 }
 
 bool is_far(const StateCurves& curves, float usual) {
@@ -112,8 +141,10 @@ std::string why_not(const Check& check, StateCurves& curves, Invariants& invaria
     std::string growth = curves.growth();
     if (growth.empty()) growth = curves.growth(seen / 3);  // what it begins with has faded then
     const int confirmed = std::max(kConfirmed, check.effort.frames.value_or(0));
-    if (growth.empty() && invariants.broken().empty())
-        return chatters_by_steps(check, curves, usual) ? kHiddenByALimit : "";
+    if (growth.empty() && invariants.broken().empty()) {
+        if (chatters_by_steps(check, curves, usual)) return kHiddenByALimit;
+        return grows_by_steps(check, curves) ? kHiddenByAGuard : "";
+    }
     if (growth.empty() || !play_curves(check, confirmed, curves, invariants, kConfirmingShare))
         return invariants.broken();
     const bool goes_on =

@@ -5,6 +5,7 @@
 #include "measure/check/situation.h"
 #include "measure/check/unset.h"
 #include "measure/probe/faults.h"
+#include "measure/probe/loop_turns.h"
 #include "offline/sound.h"
 
 #include <fmt/format.h>
@@ -36,6 +37,9 @@ public:
         try {
             survey_.emplace(subject_.opened(), sound_.renderer(),
                             ProgramOptions{.specialise = false});
+            if (ends_loops(check.subject.context()))
+                turns_.emplace(subject_.opened(), sound_.renderer(),
+                               ProgramOptions{.specialise = false}, subject_.after_frame);
         } catch (const ProbeRefused&) {  // then samples alone tell
         }
         answered();
@@ -68,11 +72,28 @@ public:
         drawn(sound_, index, situation);
         survey_->end();
         const auto& fault = survey_->fault();
-        if (!fault) return true;
+        if (!fault) return ends_its_loops(index, situation);
+        const long sample = index * SoundRenderer::kBlock + fault->pixel.x +
+                            long{fault->pixel.y} * kSoundBlockWidth;
         result_.where = place_of(*fault);
         result_.fail(fmt::format("{}:{}: in {}: {} is undefined, {}; at {:.3f} s{}", fault->file,
                                  fault->line, fault->function, fault->expression, fault->what,
-                                 frame.time, where_words(situation, subject_)));
+                                 static_cast<double>(sample) / kSampleRate,
+                                 where_words(situation, subject_)));
+        return false;
+    }
+
+    // Whether the driver does not do so instead, silently.
+    bool ends_its_loops(long index, const Situation& situation) {
+        if (!turns_) return true;
+        turns_->forget();
+        turns_->count(sound_.frame_of(index), [&] { drawn(sound_, index, situation); });
+        if (!turns_->is_cut()) return true;
+        result_.fail(fmt::format(
+            "loops use all {} turns that llvmpipe has for a sample, then end "
+            "silently; take fewer of them; at {:.3f} s{}",
+            kLoopBudget, static_cast<double>(index * SoundRenderer::kBlock) / kSampleRate,
+            where_words(situation, subject_)));
         return false;
     }
 
@@ -133,12 +154,14 @@ private:
     CaseResult& result_;
     SoundRenderer sound_;
     std::optional<FaultSurvey> survey_;
+    std::optional<LoopTurns> turns_;
 };
 
 void run_sound_case(Check& check, CaseResult& result) {
     const CaseClock clock(check);
     Ear ear(check, result);
     const std::vector<Situation> all = situations(check.subject, kEnds, kHeardSpread);
+    if (!ear.ends_its_loops(0, all.front())) return;
     long index = 0;
     for (; index <= block_at(kHeard) && !clock.is_over(kHeardShare); ++index)
         if (!ear.hears(index, all.front())) return;

@@ -306,7 +306,8 @@ void run_stiffness(StepKey step, Check& check, CaseResult& result) {
             "it reads no iTimeDelta: of longer steps there are fewer, and each is the same";
         return;
     }
-    double least = largest_stable(stepped, subject.opened().values);
+    const double own = largest_stable(stepped, subject.opened().values);
+    double least = own;
     const CaseClock clock(check);
     for (const auto& values : values_at(subject)) {
         if (clock.is_over(kStiffShare)) break;
@@ -314,9 +315,9 @@ void run_stiffness(StepKey step, Check& check, CaseResult& result) {
     }
     const double seconds = static_cast<double>(step.first) / static_cast<double>(step.second);
     if (least < 1.0) {
-        result.note = fmt::format(
-            "unstable by the step in use, {:.3g} s, at an end of the ranges; take a shorter step",
-            seconds);
+        result.note =
+            fmt::format("unstable by the step in use, {:.3g} s, {}; take a shorter step", seconds,
+                        own < 1.0 ? "at the preset as it is" : "at an end of the ranges");
         return;
     }
     result.note =
