@@ -38,7 +38,10 @@ private:
     }
     Piece piece_of(const Item& item) const;
     std::vector<std::string_view> words_of(const Piece& piece) const;
-    std::size_t line_end(std::size_t at) const;
+    std::size_t line_end(std::size_t at, std::size_t stop) const;
+    std::size_t line_end(const Directive& directive) const {
+        return line_end(directive.span.end, reading_.text.size());
+    }
     // The first of what is dropped that ends behind a byte.
     std::vector<Span>::const_iterator dropped_behind(std::size_t at) const {
         return std::ranges::upper_bound(dropped_, at, {}, &Span::end);
@@ -56,12 +59,12 @@ private:
     std::size_t done_ = 0;
 };
 
-// Behind the newline of a place outside comments; lines that a backslash joins are one, and a
-// comment may hold any number.
-std::size_t Cutter::line_end(std::size_t at) const {
+// Behind the newline of a place outside comments, or `stop` where there is none before; lines that
+// a backslash joins are one, and a comment may hold any number.
+std::size_t Cutter::line_end(std::size_t at, std::size_t stop) const {
     const std::string_view text = reading_.text;
     bool is_comment = false;
-    while (at < text.size()) {
+    while (at < stop) {
         const std::string_view rest = text.substr(at);
         if (rest.starts_with("\\\n")) {
             at += 2;
@@ -75,7 +78,7 @@ std::size_t Cutter::line_end(std::size_t at) const {
             ++at;
         }
     }
-    return text.size();
+    return std::min(at, text.size());
 }
 
 // The directives of groups that ask for what is decided, and the branches of these that are dead.
@@ -89,11 +92,11 @@ void Cutter::find_decided(std::string_view decided) {
     }
     for (const Branch& branch : reading_.branches) {
         if (!asks[branch.group] || is_open[branch.group]) continue;
-        const Span begins = reading_.directives[branch.begins].span;
-        const Span ends = reading_.directives[branch.ends].span;
-        dropped_.push_back({begins.begin, line_end(begins.end)});
-        dropped_.push_back({ends.begin, line_end(ends.end)});
-        if (branch.live == Live::no) dropped_.push_back({begins.begin, ends.begin});
+        const Directive& begins = reading_.directives[branch.begins];
+        const Directive& ends = reading_.directives[branch.ends];
+        dropped_.push_back({begins.span.begin, line_end(begins)});
+        dropped_.push_back({ends.span.begin, line_end(ends)});
+        if (branch.live == Live::no) dropped_.push_back({begins.span.begin, ends.span.begin});
     }
     std::ranges::sort(dropped_, {}, &Span::begin);
     std::vector<Span> apart;
@@ -126,11 +129,12 @@ Piece Cutter::piece_of(const Item& item) const {
 
 // The rest of the line belongs to it: a comment behind it.
 void Cutter::add(Piece piece, Span span) {
-    const std::size_t end = line_end(span.end);
     const auto next = std::ranges::lower_bound(reading_.written, span.end, {},
                                                [](const Token& token) { return token.begin; });
-    const bool is_last = next == reading_.written.end() || next->begin >= end;
-    piece.span = {done_, is_last ? end : span.end};
+    const bool any = next != reading_.written.end();
+    const std::size_t end = line_end(span.end, any ? next->begin : reading_.text.size());
+    const bool ends_line = !any || reading_.text[end - 1] == '\n';
+    piece.span = {done_, ends_line ? end : span.end};
     done_ = piece.span.end;
     pieces_.push_back(std::move(piece));
 }

@@ -188,16 +188,19 @@ private:
             const Declaration& declaration = reading_.declarations[function.parameters[i]];
             if (!declaration.is_out || declaration.is_in) continue;
             const bool is_named = !declaration.names.empty();
-            const Declarator one = is_named ? declaration.names.front()
-                                            : Declarator{.name = declaration.tokens.end - 1};
+            Declarator one;
+            one.name = declaration.tokens.end - 1;
+            if (is_named) one = declaration.names.front();
             if (is_named && !uses_.out_is_read(index, reading_.word(one.name))) continue;
             add(is_entry ? Site::Kind::entry : Site::Kind::head, one.name, function.body.begin,
                 {.type = declaration.type,
                  .structure = declaration.structure,
                  .array = one.array,
                  .type_array = declaration.type_array});
-            if (!is_named) sites_.back().unset.name = unnamed_parameter(i);
-            sites_.back().unset.is_output = is_entry;
+            Unset& unset = sites_.back().unset;
+            if (!is_named) unset.name = unnamed_parameter(i);
+            unset.has_no_name = !is_named;
+            unset.is_output = is_entry;
             note_times([&] { return times_of(index); });
         }
         if (reading_.word(function.type) == "void" || !uses_.lacks_return(function)) return;

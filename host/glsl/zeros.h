@@ -24,6 +24,7 @@ struct Unset {
     bool is_result = false;  // the name is that of a function which may end without a `return`
     std::size_t at = 0;      // byte of the text where the name is declared
     bool is_output = false;  // the colour that a pass or a main() writes, which the host sets to 0
+    bool has_no_name = false;  // a parameter, whose name is ours
     // Why no value of ours is sure to be there.
     std::string_view why_not{};
 };

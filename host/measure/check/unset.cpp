@@ -163,7 +163,9 @@ std::string words_of(const Scene& scene, const Unset& unset) {
     const Place place = scene.place_at(unset.at);
     return fmt::format(
         "counts on uninitialised values: {}:{}:{}: {}", place.file, place.line, place.column,
-        unset.is_result ? fmt::format("the function `{}` may end without a return", unset.name)
+        unset.has_no_name
+            ? "what a parameter without a name hands back is read; give it a name and a value"
+        : unset.is_result ? fmt::format("the function `{}` may end without a return", unset.name)
         : unset.is_output
             ? fmt::format("`{}` is not written everywhere, or added to; give it a first value",
                           unset.name)
