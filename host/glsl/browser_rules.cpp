@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
+#include <string_view>
 #include <unordered_set>
 #include <utility>
 #include <vector>
@@ -17,46 +19,114 @@ namespace {
 // ANGLE takes trees of 256 levels, of which those around an expression are a few.
 constexpr int kDeepestTree = 251;
 
-// How deep the tree of a text's expressions gets, from token to token.
+// From what binds least; 0 for what is no operator of two.
+int precedence(std::string_view sign) {
+    constexpr std::string_view kSigns[][5] = {{"=", "+=", "-=", "*=", "/="},
+                                              {"?"},
+                                              {"||"},
+                                              {"^^"},
+                                              {"&&"},
+                                              {"|"},
+                                              {"^"},
+                                              {"&"},
+                                              {"==", "!="},
+                                              {"<", ">", "<=", ">="},
+                                              {"<<", ">>"},
+                                              {"+", "-"},
+                                              {"*", "/", "%"}};
+    for (int i = 0; i < static_cast<int>(std::size(kSigns)); ++i)
+        if (!sign.empty() && std::ranges::find(kSigns[i], sign) != std::end(kSigns[i]))
+            return i + 1;
+    return 0;
+}
+constexpr int kOfAssignments = 1, kOfChoices = 2, kOfSigns = 100;
+
+// How deep the tree of a function's expressions gets, from token to token.
 class Depth {
 public:
-    // Behind this token, or 0 where a bracket opens.
-    int behind(const Token& token, const Token* before) {
+    void take(const Token& token, const Token* before) {
         if (token.is("(") || token.is("[")) {
-            const bool is_call = before && (before->is_word() || before->is("]"));
-            levels_.push_back({.outer = is_call || token.is("[") ? 1 : 0});
+            levels_.push_back({.is_call = token.is("[") || (before && before->is_word())});
         } else if ((token.is(")") || token.is("]")) && levels_.size() > 1) {
-            const int inner = levels_.back().outer + levels_.back().deepest();
+            end_expression();
+            const Level inner = std::move(levels_.back());
             levels_.pop_back();
-            levels_.back().operand = std::max(levels_.back().operand, inner);
-        } else if (token.is("*") || token.is("/") || token.is("%")) {
-            levels_.back().end_factor();
-        } else if ((token.is("+") || token.is("-")) && before && ends_operand(*before)) {
-            levels_.back().end_product();
+            Tree& last = levels_.back().last;
+            last.depth = std::max(last.depth, inner.deepest + (inner.is_call ? 1 : 0));
+            last.is_constant &= inner.is_constant && !inner.is_call;
         } else if (token.is("{") || token.is("}") || token.is(";")) {
+            end_expression();
             levels_.assign(1, {});
-        } else if (token.kind == TokenKind::symbol && !token.is(".") && !token.is("-") &&
-                   !token.is("+")) {
-            levels_.back().end_sum();
+        } else if (token.is(",")) {
+            end_expression();
+        } else if (token.is_word() && !token.is("return")) {
+            levels_.back().last.is_constant = false;
+        } else if (token.kind == TokenKind::symbol) {
+            take_operator(token.text, before);
         }
-        return levels_.back().deepest();
     }
+    // Of all expressions that have ended.
+    int deepest() const { return deepest_; }
 
 private:
-    struct Level {
-        int outer = 0;  // what the bracket itself adds
-        int operand = 0, product = 0, sum = 0, all = 0;
-        int of_product() const { return product > 0 ? std::max(product, operand + 1) : operand; }
-        int of_sum() const { return sum > 0 ? std::max(sum, of_product() + 1) : of_product(); }
-        int deepest() const { return std::max(of_sum(), all); }
-        void end_factor() { product = of_product() + 1, operand = 0; }
-        void end_product() { sum = of_sum() + 1, product = operand = 0; }
-        void end_sum() { all = deepest(), sum = product = operand = 0; }
+    struct Tree {
+        int depth = 0;
+        bool is_constant = true;  // which the compiler reckons at once
     };
-    static bool ends_operand(const Token& token) {
-        return token.is_word() || token.kind == TokenKind::number || token.is(")") || token.is("]");
+    struct Operation {
+        int precedence;
+        Tree left;
+    };
+    struct Level {
+        bool is_call = false;
+        std::vector<Operation> open{};
+        Tree last{};
+        int deepest = 0;  // of what a comma ends
+        bool is_constant = true;
+    };
+
+    void take_operator(std::string_view sign, const Token* before) {
+        Level& level = levels_.back();
+        const bool has_left = before && (before->is_word() || before->kind == TokenKind::number ||
+                                         before->is(")") || before->is("]"));
+        if (!has_left) {
+            level.open.push_back({kOfSigns, {}});
+        } else if (const int own = precedence(sign); own > 0) {
+            const bool from_right = own == kOfAssignments || own == kOfChoices;
+            close_to(from_right ? own + 1 : own);
+            level.open.push_back({own, std::exchange(level.last, {})});
+        } else if (sign == ":") {
+            close_to(kOfChoices + 1);
+            if (level.open.empty()) return;
+            Tree& left = level.open.back().left;
+            left = {std::max(left.depth, level.last.depth), false};
+            level.last = {};
+        }
     }
+
+    // What binds as much or more has its right side now.
+    void close_to(int least) {
+        Level& level = levels_.back();
+        for (; !level.open.empty() && level.open.back().precedence >= least;
+             level.open.pop_back()) {
+            const Tree& left = level.open.back().left;
+            const bool is_constant = left.is_constant && level.last.is_constant;
+            level.last = {is_constant ? 0 : std::max(left.depth, level.last.depth) + 1,
+                          is_constant};
+        }
+    }
+
+    void end_expression() {
+        close_to(0);
+        Level& level = levels_.back();
+        level.deepest = std::max(level.deepest, level.last.depth);
+        level.is_constant &= level.last.is_constant;
+        level.last = {};
+        deepest_ = std::max(deepest_, level.deepest);
+    }
+
     std::vector<Level> levels_{1};
+    int deepest_ = 0;
 };
 
 class BrowserRules {
@@ -192,17 +262,17 @@ private:
     void look_at_expressions(std::uint32_t function) {
         const TokenRange body = reading_.functions[function].body;
         Depth depth;
-        bool is_told = false;
+        std::uint32_t begin = body.begin;  // of what has no end yet
         for (std::uint32_t at = body.begin; at < body.end; ++at) {
             const Token& token = reading_.tokens[at];
             if (token.is("?")) refuse_choice_at(at, function);
-            if (depth.behind(token, at > body.begin ? &reading_.tokens[at - 1] : nullptr) <
-                    kDeepestTree ||
-                std::exchange(is_told, true))
-                continue;
-            add(reading_.place(at).begin,
-                "browsers refuse an expression with more than 250 operators or calls within one "
-                "another; keep parts of it in variables");
+            const bool was_deep = depth.deepest() >= kDeepestTree;
+            depth.take(token, at > body.begin ? &reading_.tokens[at - 1] : nullptr);
+            if (!was_deep && depth.deepest() >= kDeepestTree)
+                add(reading_.place(begin).begin,
+                    "browsers refuse an expression of more than 250 operators or calls within one "
+                    "another; keep parts of it in variables");
+            if (token.is(";") || token.is("{") || token.is("}")) begin = at + 1;
         }
     }
 

@@ -269,7 +269,8 @@ Json tweak_json(const Tweak& tweak, const TweakValue& value) {
 
 Json tweaks_json(const Preset& preset) {
     Json list = Json::array();
-    const std::vector<bool> indices = index_tweaks(preset.scene);
+    const std::vector<bool> indices =
+        index_tweaks(preset.scene, read_glsl(preset.scene.text, known_of_scene()));
     for (std::size_t i = 0; i < preset.values.size(); ++i) {
         list.push_back(tweak_json(preset.scene.tweaks[i], preset.values[i]));
         if (indices[i]) list.back()["index"] = true;

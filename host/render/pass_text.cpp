@@ -514,8 +514,7 @@ std::optional<std::size_t> PassText::origin(std::size_t at) const {
     return map.origin(at - user_begin);
 }
 
-std::vector<bool> index_tweaks(const Scene& scene) {
-    const Reading reading = read_glsl(scene.text, known_of_scene());
+std::vector<bool> index_tweaks(const Scene& scene, const Reading& reading) {
     const std::unordered_set<std::string_view> indices = words_of_indices(reading);
     std::vector<bool> list;
     for (const Tweak& tweak : scene.tweaks) list.push_back(indices.contains(tweak.name));
@@ -526,7 +525,7 @@ EditedText specialised_text(const Preset& preset) {
     const Scene& scene = preset.scene;
     const Reading reading = read_glsl(scene.text, known_of_scene());
     Edits edits(reading);
-    const std::vector<bool> indices = index_tweaks(scene);
+    const std::vector<bool> indices = index_tweaks(scene, reading);
     for (std::size_t i = 0; i < scene.tweaks.size(); ++i) {
         const Tweak& tweak = scene.tweaks[i];
         const std::string written = variable(tweak, preset.values[i]);

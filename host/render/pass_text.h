@@ -32,9 +32,9 @@ struct ProgramOptions {
     std::optional<Marked> marked{};
 };
 
-// Whether an index may be made of a tweak, by number. Such a one is never a constant: with a number
-// that it can tell is out of the array's range no driver compiles.
-std::vector<bool> index_tweaks(const Scene& scene);
+// Whether an index may be made of a tweak, by number, where this is the scene's text. Such a one is
+// never a constant: with a number that it can tell is out of the array's range no driver compiles.
+std::vector<bool> index_tweaks(const Scene& scene, const Reading& reading);
 
 // The scene's text with every tweak as a constant, or as a variable where an index may be made of
 // it, on the same lines. A declaration may span lines; its line ends are kept.

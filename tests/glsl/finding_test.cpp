@@ -146,7 +146,19 @@ TEST(BrowserRules, RefuseADeepExpression) {
         EXPECT_EQ(chain(260 / levels, begin, end), 1u) << begin << end;
         EXPECT_EQ(chain(240 / levels, begin, end), 0u) << begin << end;
     }
+    for (const auto& [begin, end] : {std::pair("~", ""),
+                                     {"", " && v"},
+                                     {"", " ^ v"},
+                                     {"- ", ""},
+                                     {"", " << v"},
+                                     {"v ? v : ", ""},
+                                     {"v = ", ""}}) {
+        EXPECT_EQ(chain(260, begin, end), 1u) << begin << end;
+        EXPECT_EQ(chain(240, begin, end), 0u) << begin << end;
+    }
     EXPECT_EQ(chain(300, "(", ")"), 0u);
+    EXPECT_EQ(chain(300, "", "; v *= 0.5"), 0u);
+    EXPECT_EQ(chain(300, "0.001 + ", ""), 0u) << "numbers are added up at once";
     EXPECT_EQ(chain(300, "", "; v += v"), 0u);
 }
 

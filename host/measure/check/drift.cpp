@@ -244,6 +244,18 @@ bool StateCurves::explodes(float usual) const {
     return false;
 }
 
+bool StateCurves::multiplies() const {
+    constexpr float kLeast = 1.1f, kLeap = 30.0f, kRise = 100.0f;
+    constexpr std::size_t kFrames = 4;
+    std::size_t from = 0;
+    for (std::size_t k = 1; k < frames(); ++k) {
+        const float before = largest_[k - 1];
+        if (!(largest_[k] > kLeast * before && largest_[k] <= kLeap * before)) from = k;
+        if (k - from >= kFrames && largest_[k] >= kRise * largest_[from]) return true;
+    }
+    return false;
+}
+
 float StateCurves::largest() const {
     return largest_from(0);
 }

@@ -24,6 +24,8 @@ public:
     // its sign goes to and fro meanwhile.
     bool stands_beyond(float usual) const;
     bool chatters() const;
+    // Whether the largest value ever rises a hundredfold from frame to frame, not by a leap.
+    bool multiplies() const;
     // Whether hardly anything has changed in the last eighth of the frames.
     bool rests() const;
     float largest() const;

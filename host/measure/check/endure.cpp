@@ -100,8 +100,8 @@ bool chatters_by_steps(const Check& check, const StateCurves& curves, float usua
 // large for 0 lets it begin anew, as if it had a level of its own. As long by a half or an eighth
 // of each it stays small. The subject stands somewhere else afterwards.
 bool grows_by_steps(const Check& check, const StateCurves& curves) {
-    constexpr double kShare = 0.05;  // of the seconds
-    if (curves.largest() < kFar) return false;
+    constexpr double kShare = 0.05;                                     // of the seconds
+    if (curves.largest() < kFar || !curves.multiplies()) return false;  // an event leaps
     const CaseClock clock(check);
     const auto stays_small = [&](double often) {
         const int frames = static_cast<int>(static_cast<double>(curves.frames()) / 60.0 * often);

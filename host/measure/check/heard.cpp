@@ -34,15 +34,18 @@ public:
         : subject_(check.subject),
           result_(result),
           sound_(subject_.opened(), {.specialise = false}) {
+        const ProgramOptions by_uniforms{.specialise = false};
         try {
-            survey_.emplace(subject_.opened(), sound_.renderer(),
-                            ProgramOptions{.specialise = false});
-            if (ends_loops(check.subject.context()))
-                turns_.emplace(subject_.opened(), sound_.renderer(),
-                               ProgramOptions{.specialise = false}, subject_.after_frame);
+            survey_.emplace(subject_.opened(), sound_.renderer(), by_uniforms);
         } catch (const ProbeRefused&) {  // then samples alone tell
         }
         answered();
+        try {
+            if (ends_loops(check.subject.context()))
+                turns_.emplace(subject_.opened(), sound_.renderer(), by_uniforms,
+                               subject_.after_frame);
+        } catch (const ProbeRefused&) {
+        }
     }
 
     // False once a sample was no number.
