@@ -275,6 +275,17 @@ TEST_F(StudyBudget, WhatBothReferencesShareIsNoErrorOfNone) {
         << study["findings"];
 }
 
+TEST_F(StudyBudget, TheBestOfAKnobMayLieInItsMiddle) {
+    write("middle.frag",
+          "uniform float mid; //@ 0.2 [0, 1] quality reference=0.53\n"
+          "void mainImage(out vec4 c, in vec2 p) { c = vec4(vec3(0.3 + abs(mid - 0.53)), 1); }\n");
+    const Outcome outcome = glint(
+        {"study", "middle.frag", "--size", "16x9", "--seconds", "0.3", "--ms", "1000", "--json"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    const Json best = Json::parse(outcome.out)["studies"][0]["best"];
+    EXPECT_EQ(best["tweaks"]["mid"], "0.53") << best;
+}
+
 TEST_F(StudyBudget, SecondsMayBeAFractionOfOne) {
     const Outcome outcome = glint({"study", known_scene("quadrature").string(), "--size", "16x8",
                                    "--vary", "steps=1,2", "--seconds", "0.2"});

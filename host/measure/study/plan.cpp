@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <set>
 
@@ -71,6 +72,18 @@ public:
     }
     // With the preset's own value among them.
     Knob with_own(Knob knob, KnobValue own) const;
+    // With the reference, where it lies between two: the best of a knob may be in its middle.
+    Knob with_reference(Knob knob, const Tweak& tweak) const {
+        const auto lies = [&](auto beyond) {
+            return std::ranges::any_of(knob.values, [&](const KnobValue& value) {
+                return value.work && knob.reference.work &&
+                       beyond(*value.work, *knob.reference.work);
+            });
+        };
+        if (!lies(std::less()) || !lies(std::greater())) return knob;
+        KnobValue reference = value(tweak, knob.reference.setting.values[index(tweak)]);
+        return with_own(std::move(knob), std::move(reference));
+    }
     Knob knob_and_own(const Tweak& tweak, const std::vector<TweakValue>& values) const {
         return with_own(knob(tweak, values), value(tweak, preset_.values[index(tweak)]));
     }
@@ -574,7 +587,9 @@ StudyPlan plan_study(const Preset& preset, const SceneFacts& facts, const StudyO
                                                       ? ": it has no range; name values with --vary"
                                                       : ": it is of several numbers"));
         } else {
-            plan.knobs.push_back(planner.knob_and_own(tweak, values));
+            Knob knob = planner.knob_and_own(tweak, values);
+            if (has_budget(options)) knob = planner.with_reference(std::move(knob), tweak);
+            plan.knobs.push_back(std::move(knob));
         }
     }
     if (facts.accumulates(preset.values))
