@@ -278,7 +278,7 @@ void Instrumenter::place_expression(std::size_t index, std::uint32_t f) {
                  asked.line.begin);
     const std::string call =
         fmt::format("{}({},({}));", wish_.kind == ProbeKind::assertions ? "glint0_a" : "glint0_v",
-                    site, with_true_place(with_mended_remainders(asked.text)));
+                    site, with_own_names(with_mended_remainders(asked.text), entry_ == "main"));
     bool is_there = false;
     if (room.brace != kNone) {
         const bool opens = token(room.brace).is("{");

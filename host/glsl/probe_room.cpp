@@ -150,20 +150,26 @@ std::string refusal_of_calls(const Reading& text, const std::string& expression)
                     return fmt::format("{} would change a variable that is handed to it", name);
     const Variables variables(text);
     const std::vector<bool> reached = text.reached_from(called);
+    const std::vector<bool> by_globals = text.reached_from({});  // as they begin
     for (std::uint32_t f = 0; f < text.functions.size(); ++f)
-        if (reached[f] && text.functions[f].is_defined() && changes_globals(text, variables, f))
+        if (reached[f] &&
+            (!by_globals[f] ||
+             std::ranges::find(called, text.word(text.functions[f].name)) != called.end()) &&
+            text.functions[f].is_defined() && changes_globals(text, variables, f))
             return fmt::format("{} would change a variable of the text's",
                                text.word(text.functions[f].name));
     return "";
 }
 
-std::string with_true_place(const std::string& expression) {
+std::string with_own_names(const std::string& expression, bool is_in_main) {
     const Reading reading = read_glsl(expression, {});
     std::string words;
     std::size_t done = 0;
     for (const Token& token : reading.written) {
-        if (!token.is("gl_FragCoord")) continue;
-        words += expression.substr(done, token.span().begin - done) + "glint0_coord";
+        const bool is_place = token.is("gl_FragCoord"), is_colour = token.is("gl_FragColor");
+        if (!is_place && !(is_colour && is_in_main)) continue;
+        words += expression.substr(done, token.span().begin - done);
+        words += is_colour ? "glFragColor_" : is_in_main ? "glFragCoord_" : "glint0_coord";
         done = token.span().end;
     }
     return words + expression.substr(done);

@@ -19,8 +19,9 @@ struct ProbeRoom {
 // the line, where that holds the whole of a loop, too.
 ProbeRoom room_at(const Reading& reading, Span line, std::uint32_t function, bool is_note);
 
-// The expression with what stands for gl_FragCoord, whose own counts cells.
-std::string with_true_place(const std::string& expression);
+// The expression with what stands for gl_FragCoord, whose own counts cells; in a text with a main()
+// of its own also for gl_FragColor (render/pass_text.h).
+std::string with_own_names(const std::string& expression, bool is_in_main);
 
 // Why an expression is not to be evaluated in this text: what it calls would change variables of
 // it. "" where nothing does.

@@ -292,20 +292,20 @@ std::string behind_plain_main(const Reading& reading, const Declaration* output,
     const std::string first = mark
                                   ? basic_value(output ? reading.word(output->type) : "vec4", *mark)
                                   : fmt::format("glint_color{}", is_opaque ? ".rgb" : "");
-    std::string before;
+    std::string before;  // globals that begin with gl_FragCoord see it as the text wants it
+    if (reading.mentions("origin_upper_left"))
+        before += "    glFragCoord_.y = iResolution.y - glint_coord.y;\n";
+    if (reading.mentions("pixel_center_integer")) before += "    glFragCoord_.xy -= 0.5;\n";
     if (!texture_coordinates(reading).empty())
-        before = reading.find_global("iResolution")
-                     ? "    glint_place(glint_coord / iResolution.xy);\n"
-                     : "    glint_place(glint_coord);\n";
+        before += reading.find_global("iResolution")
+                      ? "    glint_place(glint_coord / iResolution.xy);\n"
+                      : "    glint_place(glint_coord);\n";
     for (const Declaration& declaration : reading.declarations) {
         if (is_input_block(reading, declaration)) before += values_of_block(reading, declaration);
         for (const Declarator& one : declaration.names)
             if (is_put_off(reading, declaration, one))
                 before += fmt::format("    {}();\n", setter_of(one));
     }
-    if (reading.mentions("origin_upper_left"))
-        before += "    glFragCoord_.y = iResolution.y - glint_coord.y;\n";
-    if (reading.mentions("pixel_center_integer")) before += "    glFragCoord_.xy -= 0.5;\n";
     return fmt::format(
         "#undef mainImage\nvoid mainImage(inout vec4 glint_color, in vec2 glint_coord) {{\n"
         "    {0} = {1};\n"

@@ -214,12 +214,10 @@ void Builder::warn_unannotated(const Uniform& declaration) {
             continue;
         }
         if (find_foreign_name(declaration.type, declarator.name) && !declarator.is_array) continue;
-        const bool is_sampler = declaration.type.find("sampler") != std::string_view::npos;
+        if (declaration.is_block) continue;  // all of which is told below
         warning(declarator.span.begin,
-                fmt::format("{} has no annotation, so it stays 0; say what fills it, such as {}",
-                            in_quotes(declarator.name),
-                            is_sampler ? "//@ pass mainWaves or //@ image wood.png"
-                                       : "//@ 0.5 [0, 1] \"what it does\""));
+                fmt::format("{} has no annotation, so it stays 0; {}", in_quotes(declarator.name),
+                            what_fills(declaration.type, declarator.is_array)));
     }
     if (declaration.is_block)
         warning(declaration.span.begin,

@@ -235,7 +235,7 @@ std::optional<Token> find_strange(const Reading& reading) {
 }
 
 std::string about_strange(const Reading& reading, const Token& token) {
-    if (token.text == "@")
+    if (token.text == "@" || token.text == "\"")
         if (auto other = other_language(reading)) return std::move(other->text);
     if (token.text == "\"") return "GLSL has no words in quotation marks; take them out";
     if (token.text == "`")
@@ -301,6 +301,19 @@ std::unordered_set<std::string_view> find_words(const Reading& reading) {
     for (const Token& token : reading.written)
         if (token.is_word() && reading.live_at(token.begin) != Live::no) words.insert(token.text);
     return words;
+}
+
+std::string what_fills(std::string_view type, bool is_array) {
+    if (type.find("sampler") != type.npos)
+        return "say what fills it, such as //@ pass mainWaves or //@ image wood.png";
+    constexpr std::pair<std::string_view, const char*> kExamples[] = {
+        {"float", "0.5 [0, 1]"}, {"int", "3 [0, 10]"},      {"bool", "on"},
+        {"vec2", "0.5, 0.5"},    {"vec3", "0.5, 0.5, 0.5"}, {"vec4", "0.5, 0.5, 0.5, 1"}};
+    const auto example =
+        std::ranges::find(kExamples, type, &std::pair<std::string_view, const char*>::first);
+    if (is_array || example == std::end(kExamples))
+        return "nothing fills one of its type here: take 'uniform' out, and give it its values";
+    return fmt::format("say what fills it, such as //@ {} \"what it does\"", example->second);
 }
 
 }  // namespace glint

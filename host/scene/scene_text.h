@@ -96,4 +96,7 @@ std::string no_pass_function(const Reading& reading, const Pass& pass);
 // The words that stand in live text, those of directives too.
 std::unordered_set<std::string_view> find_words(const Reading& reading);
 
+// What is to be done about a uniform of this type that nothing fills.
+std::string what_fills(std::string_view type, bool is_array);
+
 }  // namespace glint

@@ -229,6 +229,28 @@ TEST_F(ProbeVerb, AsksNothingThatWouldChangeTheText) {
     EXPECT_EQ(asked("same(a)@8").code, 0);
 }
 
+TEST_F(ProbeVerb, KnowsTheNamesOfATextWithAMainOfItsOwn) {
+    write("own.frag",
+          "#version 150\n"
+          "layout(origin_upper_left, pixel_center_integer) in vec4 gl_FragCoord;\n"
+          "uniform vec2 resolution;\n"
+          "vec2 first = gl_FragCoord.xy;\n"
+          "float count = 0.0;\nfloat next() { count += 0.25; return count; }\n"
+          "float begun = next();\n"
+          "void main() {\n"
+          "    float more = next();\n"
+          "    gl_FragColor = vec4(first / resolution, more, 1.0);\n}\n");
+    const auto value = [&](const char* expression) {
+        return report_of(glint({"probe", "own.frag", "--size", "8x4", "--at", "3,1", "--json",
+                                "--expr", expression}),
+                         0)["values"][0]["value"];
+    };
+    EXPECT_EQ(value("gl_FragCoord.xy@10"), Json({3.0, 2.0})) << "from above, at corners";
+    EXPECT_EQ(value("first@10"), Json({3.0, 2.0}));
+    EXPECT_EQ(value("gl_FragColor@10"), Json({0.375, 0.5, 0.5, 1.0}));
+    EXPECT_EQ(value("more@9"), Json({0.5})) << "what globals begin with is none of its calls";
+}
+
 TEST_F(ProbeVerb, SaysThatThereAreFewerHits) {
     const Outcome outcome = probe({"--line", "3", "--hit", "99"});
     EXPECT_EQ(outcome.code, 0);

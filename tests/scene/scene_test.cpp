@@ -283,6 +283,10 @@ TEST(Scene, SaysWhatIsWrongAndWhere) {
     } cases[] = {
         {"uniform float a;", "1:15: warning: 'a' has no annotation, so it stays 0"},
         {"uniform sampler2D a;", "1:19: warning: 'a' has no annotation"},
+        {"uniform vec3 a;", "such as //@ 0.5, 0.5, 0.5 \"what it does\""},
+        {"uniform vec3 a[3];", "so it stays 0; nothing fills one of its type here"},
+        {"uniform mat3 a;", "so it stays 0; nothing fills one of its type here"},
+        {"Shader \"Custom/A\" { SubShader { } }", "this is Unity's ShaderLab"},
         {"uniform vec3 iTime, b;", "1:14: error: 'iTime' is the host's own, of another type"},
         {"uniform vec2 iResolution;", "uniform vec3 iResolution"},
         {"uniform float iChannelTime;", "uniform float iChannelTime[4]"},
