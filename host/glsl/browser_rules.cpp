@@ -172,9 +172,7 @@ private:
         return kNone;
     }
 
-    void refuse_choice(TokenRange range, std::string_view of) {
-        const std::uint32_t choice = choice_in(range);
-        if (choice == kNone) return;
+    void refuse_choice(std::uint32_t choice, std::string_view of) {
         add(reading_.place(choice).begin,
             fmt::format(
                 "browsers refuse ?: for {}, which desktop compilers take: write if and else", of));
@@ -195,10 +193,12 @@ private:
     // Of a global's first value; those of functions are looked for in their bodies.
     void look_at(const Declaration& declaration, const Declarator& one) {
         if (one.initial.empty() || declaration.scope != Scope::global) return;
+        const std::uint32_t choice = choice_in(one.initial);
+        if (choice == kNone) return;
         if (!one.array.empty() || !declaration.type_array.empty())
-            refuse_choice(one.initial, "arrays");
+            refuse_choice(choice, "arrays");
         else if (is_of_struct(declaration))
-            refuse_choice(one.initial, "structures");
+            refuse_choice(choice, "structures");
     }
 
     void look_at(std::uint32_t index) {
@@ -210,7 +210,7 @@ private:
         if (statement.kind != StatementKind::expression) return;
         const TokenRange all = {statement.tokens.begin, statement.tokens.end - 1};
         const std::uint32_t choice = choice_in(all);
-        if (choice != kNone && gives_nothing(choice + 1)) refuse_choice(all, "void");
+        if (choice != kNone && gives_nothing(choice + 1)) refuse_choice(choice, "void");
     }
 
     // One that always goes on, with neither a return nor a break of its own.
@@ -284,11 +284,7 @@ private:
         const auto type = type_of_operand(reading_, variables_, first, function);
         const bool is_array = type ? type->lengths > 0 : makes_array(first);
         const bool is_struct = type && type->lengths == 0 && type->structure != kNone;
-        if (is_array || is_struct)
-            add(reading_.place(choice).begin,
-                fmt::format("browsers refuse ?: for {}, which desktop compilers take: write if and "
-                            "else",
-                            is_array ? "arrays" : "structures"));
+        if (is_array || is_struct) refuse_choice(choice, is_array ? "arrays" : "structures");
     }
 
     // `float[2](1.0, 2.0)`

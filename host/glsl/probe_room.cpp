@@ -149,13 +149,9 @@ std::string refusal_of_calls(const Reading& text, const std::string& expression)
                 if (text.declarations[parameter].is_out)
                     return fmt::format("{} would change a variable that is handed to it", name);
     const Variables variables(text);
-    const std::vector<bool> reached = text.reached_from(called);
-    const std::vector<bool> by_globals = text.reached_from({});  // as they begin
+    const std::vector<bool> reached = text.reached_from(called, false);
     for (std::uint32_t f = 0; f < text.functions.size(); ++f)
-        if (reached[f] &&
-            (!by_globals[f] ||
-             std::ranges::find(called, text.word(text.functions[f].name)) != called.end()) &&
-            text.functions[f].is_defined() && changes_globals(text, variables, f))
+        if (reached[f] && text.functions[f].is_defined() && changes_globals(text, variables, f))
             return fmt::format("{} would change a variable of the text's",
                                text.word(text.functions[f].name));
     return "";

@@ -65,7 +65,8 @@ const Declaration* Reading::find_global(std::string_view name) const {
     return found == declarations.end() ? nullptr : &*found;
 }
 
-std::vector<bool> Reading::reached_from(const std::vector<std::string_view>& names) const {
+std::vector<bool> Reading::reached_from(const std::vector<std::string_view>& names,
+                                        bool with_globals) const {
     using Key = std::pair<std::string_view, std::size_t>;
     std::vector<std::pair<Key, std::uint32_t>> by_name;  // sorted
     for (std::uint32_t i = 0; i < functions.size(); ++i)
@@ -87,10 +88,10 @@ std::vector<bool> Reading::reached_from(const std::vector<std::string_view>& nam
         for (const std::uint32_t function : functions_named(name)) reach(function);
     std::vector<std::vector<std::uint32_t>> calls_of(functions.size());
     for (std::uint32_t i = 0; i < calls.size(); ++i) {
-        if (calls[i].function == kNone)
-            reach_called(calls[i]);
-        else
+        if (calls[i].function != kNone)
             calls_of[calls[i].function].push_back(i);
+        else if (with_globals)
+            reach_called(calls[i]);
     }
     while (!fresh.empty()) {
         const std::uint32_t function = fresh.back();

@@ -50,8 +50,9 @@ struct Reading : Preprocessed, Syntax {
     // The declaration of a global of this name.
     const Declaration* find_global(std::string_view name) const;
     // By function: whether these names, and what they call, lead to it. Calls go to all overloads
-    // that take as many arguments; those in the values of globals count.
-    std::vector<bool> reached_from(const std::vector<std::string_view>& names) const;
+    // that take as many arguments; those in the values of globals count, unless they are not to.
+    std::vector<bool> reached_from(const std::vector<std::string_view>& names,
+                                   bool with_globals = true) const;
     // The arguments of a call.
     std::vector<TokenRange> arguments_of(const Call& call) const;
 

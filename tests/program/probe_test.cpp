@@ -236,7 +236,7 @@ TEST_F(ProbeVerb, KnowsTheNamesOfATextWithAMainOfItsOwn) {
           "uniform vec2 resolution;\n"
           "vec2 first = gl_FragCoord.xy;\n"
           "float count = 0.0;\nfloat next() { count += 0.25; return count; }\n"
-          "float begun = next();\n"
+          "float begun = next(); float twice() { return next() + next(); }\n"
           "void main() {\n"
           "    float more = next();\n"
           "    gl_FragColor = vec4(first / resolution, more, 1.0);\n}\n");
@@ -249,6 +249,9 @@ TEST_F(ProbeVerb, KnowsTheNamesOfATextWithAMainOfItsOwn) {
     EXPECT_EQ(value("first@10"), Json({3.0, 2.0}));
     EXPECT_EQ(value("gl_FragColor@10"), Json({0.375, 0.5, 0.5, 1.0}));
     EXPECT_EQ(value("more@9"), Json({0.5})) << "what globals begin with is none of its calls";
+    const Outcome calls = glint({"probe", "own.frag", "--size", "8x4", "--expr", "twice()@9"});
+    EXPECT_EQ(calls.code, 2);
+    EXPECT_NE(calls.err.find("next would change a variable"), std::string::npos) << calls.err;
 }
 
 TEST_F(ProbeVerb, SaysThatThereAreFewerHits) {
