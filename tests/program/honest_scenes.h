@@ -45,6 +45,7 @@ inline std::vector<std::pair<std::string, std::string>> honest_scenes() {
         {"lightning", image("float t = float(iTick & 0x7ffffu) / 65536.0;"
                             " c = vec4(vec3(0.1 + 0.8 * exp(-9.0 * abs(t - 4.0))), 1.0);")},
         {"daylight", image("c = vec4(q, 0.5 + 0.4 * sin(6.2831853 * iTime / 86400.0), 1.0);")},
+        {"slower", image("c = vec4(q, 0.5 + 0.4 * sin(log(iTime + 1.0)), 1.0);")},
         {"sunrise", "uniform float dawn; //@ 300 [100, 600]\n" +
                         image("c = vec4(q, smoothstep(0.0, dawn, iTime), 1.0);")},
         {"smoke", fed("c = s * 0.99 + vec4(exp(-dot(p - 4.0, p - 4.0)));", "size=8x8 step=1/60")},
