@@ -211,8 +211,8 @@ std::vector<Finding> find_reserved_names(const Reading& reading, const std::vect
                 {kWebGl,
                  reading.place(at).begin,
                  fmt::format("`{}` is a name that GLSL ES 3.00 and WebGL keep for themselves, and "
-                             "browsers refuse it: give it another without __",
-                             word),
+                             "browsers refuse it: give it another{}",
+                             word, word.find("__") != word.npos ? " without __" : ""),
                  {}});
         }
     }

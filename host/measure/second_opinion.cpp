@@ -151,24 +151,78 @@ bool is_of_builtin(std::string_view why) {
     return why == "redefinition";
 }
 
-// The byte of a line, from 1, at which a word stands; its first one that is no space otherwise.
-std::size_t find_in_line(const std::string& text, int line, const std::string& word) {
-    std::size_t begin = 0;
-    for (int i = 1; i < line && begin < text.size(); ++i) begin = text.find('\n', begin) + 1;
-    const std::string_view rest = std::string_view(text).substr(begin);
-    const std::string_view words = rest.substr(0, rest.find('\n'));
-    const auto is_letter = [](char c) {
-        return c == '_' || std::isalnum(static_cast<unsigned char>(c));
-    };
-    for (std::size_t at = words.find(word); !word.empty() && at < words.size();
-         at = words.find(word, at + 1)) {
-        const std::size_t end = at + word.size();
-        const bool is_whole =
-            !is_letter(word.front()) || ((at == 0 || !is_letter(words[at - 1])) &&
-                                         (end == words.size() || !is_letter(words[end])));
-        if (is_whole) return begin + at;
+// A text whose lines hold one name each, so that the line of a complaint tells which of several it
+// means.
+struct NameALine {
+    std::string text;
+    std::vector<std::size_t> begins;  // of each line, in the text as it was
+
+    explicit NameALine(std::string_view whole);
+
+    // The byte of the text as it was at which a word stands, in a line or before it in the line as
+    // it was; or else what stands first there.
+    std::size_t place_of(std::size_t line, std::string_view word, std::string_view whole) const;
+};
+
+bool is_letter(char c) {
+    return c == '_' || std::isalnum(static_cast<unsigned char>(c));
+}
+
+// Where what is no code ends: a comment, or a directive.
+std::size_t end_of_other(std::string_view whole, std::size_t at, bool line_begins) {
+    if (whole.substr(at).starts_with("/*")) {
+        const std::size_t end = whole.find("*/", at + 2);
+        return end == whole.npos ? whole.size() : end + 2;
     }
-    return begin + std::min(words.find_first_not_of(" \t"), words.size());
+    if (!whole.substr(at).starts_with("//") && !(line_begins && whole[at] == '#')) return at;
+    std::size_t end = whole.find('\n', at);
+    while (end != whole.npos && whole[end - 1] == '\\') end = whole.find('\n', end + 1);
+    return std::min(whole.size(), end);
+}
+
+NameALine::NameALine(std::string_view whole) : begins{0} {
+    bool line_begins = true;
+    for (std::size_t at = 0; at < whole.size();) {
+        const std::size_t end = std::max(end_of_other(whole, at, line_begins), at + 1);
+        const bool is_name =
+            is_letter(whole[at]) && !std::isdigit(static_cast<unsigned char>(whole[at]));
+        const bool goes_on = at == 0 || is_letter(whole[at - 1]) || whole[at - 1] == '.' ||
+                             (at > 1 && whole.substr(at - 2, 2) == "\\\n");
+        if (is_name && !goes_on) {
+            text += '\n';
+            begins.push_back(at);
+        }
+        for (const char c : whole.substr(at, end - at)) {
+            text += c;
+            ++at;
+            if (c == '\n') begins.push_back(at);
+        }
+        if (text.back() == '\n')
+            line_begins = true;
+        else if (text.back() != ' ' && text.back() != '\t')
+            line_begins = false;
+    }
+}
+
+bool stands_whole(std::string_view words, std::size_t at, std::string_view word) {
+    const std::size_t behind = at + word.size();
+    return !is_letter(word.front()) || ((at == 0 || !is_letter(words[at - 1])) &&
+                                        (behind == words.size() || !is_letter(words[behind])));
+}
+
+std::size_t NameALine::place_of(std::size_t line, std::string_view word,
+                                std::string_view whole) const {
+    if (line >= begins.size()) return whole.size();
+    const std::size_t begin = begins[line];
+    const std::size_t end = line + 1 < begins.size() ? begins[line + 1] : whole.size();
+    const std::size_t line_end = begin == 0 ? whole.npos : whole.rfind('\n', begin - 1);
+    const std::size_t line_begin = line_end == whole.npos ? 0 : line_end + 1;
+    const std::string_view words = whole.substr(line_begin, end - line_begin);
+    // A call is complained of at its end.
+    for (std::size_t at = word.empty() ? words.npos : words.rfind(word); at < words.size();
+         at = at == 0 ? words.npos : words.rfind(word, at - 1))
+        if (stands_whole(words, at, word)) return line_begin + at;
+    return line_begin + std::min(words.find_first_not_of(" \t"), words.size());
 }
 
 std::optional<std::vector<PlacedFinding>> findings_of(const Preset& preset, std::size_t pass) {
@@ -177,7 +231,9 @@ std::optional<std::vector<PlacedFinding>> findings_of(const Preset& preset, std:
     const std::string head = before(preset, pass, reading);
     Edits edits(reading);
     rename_overloads(reading, edits);
-    const auto log = log_of(head + edits.apply().text + std::string(kBehind));
+    const EditedText edited = edits.apply();
+    const NameALine lines(edited.text);
+    const auto log = log_of(head + lines.text + std::string(kBehind));
     if (!log) return std::nullopt;
     static const std::regex error(R"(ERROR: [^:]*:(\d+): '(.*)' : (.*))");
     const int head_lines = static_cast<int>(std::ranges::count(head, '\n'));
@@ -191,7 +247,8 @@ std::optional<std::vector<PlacedFinding>> findings_of(const Preset& preset, std:
         if (is_refused_by_it_alone(why)) return std::vector<PlacedFinding>();
         if (why.starts_with("compilation terminated") || line <= head_lines) continue;
         if (is_of_constants(why, word) || is_of_builtin(why)) continue;
-        const std::size_t at = find_in_line(site.text, line - head_lines, word);
+        const std::size_t at = edited.map.origin(
+            lines.place_of(static_cast<std::size_t>(line - head_lines - 1), word, edited.text));
         findings.push_back(
             {std::string(kWebGl),
              preset.scene.place_at(site.origin(std::min(at, site.text.size() - 1))),

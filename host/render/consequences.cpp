@@ -94,7 +94,8 @@ bool calls_refused(const Diagnostic& one, const Diagnostic& cause) {
 bool is_repeated(const Diagnostic& one, const Diagnostic& cause) {
     const bool hides_end = cause.text.starts_with("Illegal non-directive") ||
                            cause.text.starts_with("the line ends too soon") ||
-                           cause.text == kNoName || cause.text.ends_with(kConditionBehind);
+                           cause.text == kNoName || cause.text == kNoCondition ||
+                           cause.text.ends_with(kConditionBehind);
     if (hides_end && one.text == "Unterminated #if") return true;
     if (one.place.file != cause.place.file || one.place.line != cause.place.line) return false;
     const bool is_other_head = cause.text.find(kOtherResult) != cause.text.npos ||

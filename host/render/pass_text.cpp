@@ -85,8 +85,7 @@ std::string other_names(const Reading& reading) {
                                                                          {"uint", "iTick"}};
     std::string text;
     for (const auto& [type, name] : kOthers)
-        if (reading.mentions(name) && !means_its_own(reading, name))
-            text += fmt::format("uniform {} {};\n", type, name);
+        if (!means_its_own(reading, name)) text += fmt::format("uniform {} {};\n", type, name);
     return text;
 }
 

@@ -389,6 +389,15 @@ std::size_t ReadText::named_on_line(std::size_t at, std::string_view words) cons
     return found < pass_.text.find('\n', at) ? found : at;
 }
 
+// Where a condition goes wrong, of which a driver names the line's end.
+std::size_t ReadText::wrong_on_line(std::size_t at) const {
+    const std::string_view text = pass_.text;
+    const std::size_t hash = text.rfind('#', at);
+    if (hash == text.npos) return at;
+    const std::size_t wrong = wrong_in_condition(text.substr(hash, text.find('\n', at) - hash));
+    return wrong == text.npos ? at : hash + wrong;
+}
+
 // A macro's operator behind one of its arguments, of which a driver names the first operand's
 // place.
 Spot ReadText::with_macro_of_operator(Spot spot) const {
@@ -412,6 +421,7 @@ Diagnostic ReadText::complaint(Said said) const {
             std::string_view(said_words)
                 .substr(kParameter.size(), said_words.size() - kParameter.size() - kTwice.size()));
     if (said_words.starts_with(kUndefinedMacro)) spot.at = named_on_line(spot.at, said_words);
+    if (said_words == kNoCondition) spot.at = wrong_on_line(spot.at);
     Place where = place(spot.at);
     if (spot.at >= pass_.user_end) {
         const auto user = pass_.text.begin() + static_cast<long>(pass_.user_begin);

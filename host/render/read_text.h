@@ -67,6 +67,7 @@ private:
     std::optional<Diagnostic> spaced_macro(const Spot& spot) const;
     Spot with_macro_of_operator(Spot spot) const;
     std::size_t named_on_line(std::size_t at, std::string_view words) const;
+    std::size_t wrong_on_line(std::size_t at) const;
     bool compares_twice(const Spot& spot) const;
     std::string no_variable(const Spot& spot) const;
     Spot second_parameter(const Spot& spot, std::string_view name) const;

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <deque>
 #include <regex>
 #include <utility>
 #include <vector>
@@ -445,12 +446,39 @@ std::string read_preprocessor_error(std::string words) {
         return complaint->expected.empty() ? "the line ends too soon"
                                            : fmt::format("the line ends too soon: {} is missing",
                                                          fmt::join(complaint->expected, " or "));
-    if (complaint->expected.empty())
-        return "this is not expected here; behind #if stand whole numbers, names, operators and "
-               "defined()";
+    if (complaint->expected.empty()) return std::string(kNoCondition);
     const bool ends = complaint->expected == std::vector<std::string>{"the line's end"};
     return fmt::format("{} is expected here{}", fmt::join(complaint->expected, " or "),
                        ends ? kConditionBehind : "");
+}
+
+std::size_t wrong_in_condition(std::string_view directive) {
+    constexpr std::string_view kBetween[] = {"||", "&&", "|",  "^",  "&", "==", "!=", "<", ">",
+                                             "<=", ">=", "<<", ">>", "*", "/",  "%",  "+", "-"};
+    std::deque<std::string> spellings;
+    const ScannedText scanned = scan(directive, spellings);
+    bool awaits_operand = true;
+    for (std::size_t i = 2; i < scanned.tokens.size(); ++i) {
+        const Token& token = scanned.tokens[i];
+        const bool is_whole =
+            token.kind == TokenKind::number && token.text.find('.') == token.text.npos;
+        const bool is_sign = token.is("+") || token.is("-");
+        bool fits = false, ends_operand = false;
+        if (token.is_word() || is_whole || token.is("(") || token.is("!") || token.is("~")) {
+            fits = awaits_operand;
+            ends_operand = token.is_word() || is_whole;
+        } else if (token.is(")")) {
+            fits = ends_operand = !awaits_operand;
+        } else {
+            fits = is_sign || (!awaits_operand && is_one_of(token.text, kBetween));
+        }
+        if (!fits) return token.begin;
+        awaits_operand = !ends_operand;
+        if (!token.is("defined")) continue;  // its brackets hold no expression
+        const bool is_bracketed = i + 1 < scanned.tokens.size() && scanned.tokens[i + 1].is("(");
+        i += is_bracketed ? 3 : 1;
+    }
+    return directive.npos;
 }
 
 }  // namespace glint

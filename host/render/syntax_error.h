@@ -33,4 +33,12 @@ std::optional<SyntaxError> read_syntax_error(std::string_view complaint,
 // The same of the preprocessor, of which no token tells more; `complaint` where it is another one.
 std::string read_preprocessor_error(std::string complaint);
 
+// What it says of a condition that is none.
+inline constexpr std::string_view kNoCondition =
+    "this is not expected here; behind #if stand whole numbers, names, operators and defined()";
+
+// The byte at which the expression of a line with #if or #elif goes wrong as it is written, without
+// a look at what macros stand for; npos where it does not.
+std::size_t wrong_in_condition(std::string_view directive);
+
 }  // namespace glint

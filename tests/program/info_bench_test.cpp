@@ -306,6 +306,12 @@ TEST_F(InfoAndBench, InfoTellsWhatWebGlWouldRefuse) {
           "    c = vec4(1) *\n        READ(p);\n}\n");
     EXPECT_EQ(names_of(json({"info", "macro.frag"})["findings"]),
               std::vector<std::string>{"macro.frag:6:9 webgl"});
+    write("twice.frag",
+          "void mainImage(out vec4 c, in vec2 p) {\n"
+          "    int n; switch (3) { case 3: n = 2; } /* switch\n"
+          "    */ switch (n) { case 2: n = 9; break; default: ; }\n    c = vec4(n); }\n");
+    EXPECT_EQ(names_of(json({"info", "twice.frag"})["findings"]),
+              std::vector<std::string>{"twice.frag:3:8 webgl"});
     write("taken.frag",
           "const float k = determinant(inverse(mat2(1)));\nuniform sampler2D mine;;\n"
           "mat2 mix(mat2 a, mat2 b, float t) { return a + t * (b - a); } "

@@ -254,6 +254,17 @@ TEST_F(ProbeVerb, KnowsTheNamesOfATextWithAMainOfItsOwn) {
     EXPECT_NE(calls.err.find("next would change a variable"), std::string::npos) << calls.err;
 }
 
+TEST_F(ProbeVerb, KnowsTheHostsNamesThoughTheTextHasNoneOfThem) {
+    for (const char* name : {"iTick", "iTime", "iDate.w", "iFrame", "iGlobalTime"}) {
+        write("scene.frag",
+              "void mainImage(out vec4 c, in vec2 p) {\n"
+              "    float t = 1.0;\n"
+              "    c = vec4(t);\n}\n");
+        const Json told = json({"--frame", "60", "--expr", fmt::format("float({})@2", name)});
+        EXPECT_EQ(told["values"].size(), 1u) << name << told;
+    }
+}
+
 TEST_F(ProbeVerb, SaysThatThereAreFewerHits) {
     const Outcome outcome = probe({"--line", "3", "--hit", "99"});
     EXPECT_EQ(outcome.code, 0);

@@ -120,6 +120,9 @@ TEST_F(UnknownNames, BehindAnIfTellWhatAPreprocessorKnows) {
         begins +
             "a preprocessor knows macros alone: of a variable or a uniform write if "
             "(\u2026)");
+    for (const char* wrong :
+         {"#ifndef A\n#if 1.0\n#endif\n#endif\n", "#ifdef A\n#elif 1 ? 2 : 3\n#endif\n"})
+        EXPECT_TRUE(complaint_of("", wrong).starts_with("this is not expected here")) << wrong;
 }
 
 TEST_F(UnknownNames, OfKeysTellTheLineThatHasThem) {

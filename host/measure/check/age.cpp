@@ -218,8 +218,8 @@ void judge_motion(const Motion& young, const Motion& old, CaseResult& result) {
     }
 }
 
-// Whether the change a frame, which falls as a power of time while a float clock has all digits of a frame, has
-// become too small to be lost.
+// Whether the change a frame, which falls as a power of time while a float clock has all digits of
+// a frame, has become too small to be lost.
 bool has_slowed_down(const Check& check, const Age& age, double float_step) {
     constexpr double kHour = 3600.0;  // s
     double at_ten_minutes = 0.0, at_the_hour = 0.0;
