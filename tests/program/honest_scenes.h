@@ -25,6 +25,7 @@ inline std::vector<std::pair<std::string, std::string>> honest_scenes() {
              "* h) - y.x * w * sin(w * h), 0.0, 1.0);",
              "size=8x8 step=1/60", "uniform float k; //@ 4.0 [1, 40]\n")},
         {"sum_of_steps", fed("c = s + 0.001;", "size=8x8 step=1/60")},
+        {"full_bytes", fed("c = s + 0.02 * step(3.0, p.x);", "size=8x8 format=rgba8 step=1/60")},
         {"clock", fed("float h = iFrame == 0 ? 12.0 : s.x; h += iTimeDelta * 0.1; "
                       "c = vec4(h >= 24.0 ? h - 24.0 : h, 0.3, 0.0, 1.0);",
                       "size=8x8", "",

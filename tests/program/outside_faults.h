@@ -142,6 +142,11 @@ inline void add_far_places(std::vector<Planted>& list) {
     };
     list.push_back({"far/pole_of_a_round_number", pole("b - 1.843"), pole("b + 3.157")});
     list.push_back({"far/pole_of_two", pole("0.37 - b - 2.0 * a"), pole("3.37 + b + 2.0 * a")});
+    const auto bytes = [](const char* fade) {
+        return fed(fmt::format("c = max({}, vec4(iTime < 0.5));", fade),
+                   "size=8x8 format=rgba8 step=1/60");
+    };
+    list.push_back({"far/trail_of_bytes", bytes("s * 0.99"), bytes("s - 1.0 / 255.0")});
     list.push_back({"far/growth_of_a_twentieth_per_mille",
                     fed("c = s.w == 0.0 ? vec4(1.0) : min(s * 1.00005, 6e4);"),
                     fed("c = s.w == 0.0 ? vec4(1.0) : s;")});

@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 #include <glm/common.hpp>
-#include <glm/gtc/packing.hpp>
 
 #include <algorithm>
 #include <array>
@@ -140,14 +139,14 @@ void exchange(const CheckSubject& subject, std::size_t index, const std::vector<
     }
 }
 
-void round_to_halves(const CheckSubject& subject, std::size_t index) {
+void change_values(const CheckSubject& subject, std::size_t index, float (*changed)(float)) {
     const Buffer& buffer = subject.renderer().buffer(index);
     if (buffer.shape().cube) return;
     const glm::ivec2 size = buffer.shape().size;
     for (std::size_t output = 0; output < static_cast<std::size_t>(buffer.shape().outputs);
          ++output) {
         std::vector<float> values = subject.renderer().read_buffer(index, output);
-        for (float& value : values) value = glm::unpackHalf1x16(glm::packHalf1x16(value));
+        std::ranges::transform(values, values.begin(), changed);
         const GLuint texture = buffer.texture(output);
         glTextureSubImage2D(texture, 0, 0, 0, size.x, size.y, GL_RGBA, GL_FLOAT, values.data());
         if (buffer.shape().mipmaps) make_mipmaps(texture);

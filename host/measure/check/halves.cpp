@@ -1,4 +1,5 @@
-// What is fed back in floats of 16 bits: what is added in small parts is lost, or too much of it.
+// What is fed back in floats of 16 bits, or in bytes: what is added in small parts is lost, or too
+// much of it.
 #include "measure/check/budget.h"
 #include "measure/check/case.h"
 #include "measure/check/poison.h"
@@ -6,8 +7,10 @@
 #include "measure/rows/difference.h"
 
 #include <fmt/format.h>
+#include <glm/gtc/packing.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace glint {
@@ -24,9 +27,22 @@ constexpr int kLooksInARow = 2;
 constexpr int kRoundedAfter = 6;  // frames
 constexpr double kRounded = 2.0;
 
-bool is_fed_back_in_halves(const CheckSubject& subject, std::size_t graph_index) {
-    return subject.is_fed_back(graph_index) &&
-           bytes_a_channel(subject.renderer().buffer(graph_index).shape().format) == 2;
+int bytes_of(const CheckSubject& subject, std::size_t graph_index) {
+    const std::size_t pass = subject.renderer().graph().passes[graph_index].pass;
+    return bytes_a_channel(subject.scene().passes[pass].format);
+}
+
+bool is_fed_back_in_few_bits(const CheckSubject& subject, std::size_t graph_index) {
+    const bool is_image = subject.renderer().graph().passes[graph_index].pass == kImagePass;
+    return !is_image && subject.is_fed_back(graph_index) && bytes_of(subject, graph_index) < 4;
+}
+
+float to_half(float value) {
+    return glm::unpackHalf1x16(glm::packHalf1x16(value));
+}
+
+float to_byte(float value) {
+    return std::round(255.0f * std::clamp(value, 0.0f, 1.0f)) / 255.0f;
 }
 
 // What these buffers hold, one after the other.
@@ -59,7 +75,8 @@ double off_by_one_rounding(Check& check, const std::vector<std::size_t>& buffers
                            const std::vector<float>& kept, int frames) {
     CheckSubject& wide = wide_of(check);
     if (!wide.play_frames(0, kRoundedAfter, 60.0)) return 0.0;
-    for (const std::size_t index : buffers) round_to_halves(wide, index);
+    for (const std::size_t index : buffers)
+        change_values(wide, index, bytes_of(check.subject, index) == 1 ? to_byte : to_half);
     if (!wide.play_frames(kRoundedAfter, frames, 60.0)) return 0.0;
     return distance(state_of(wide, buffers), kept) / std::max(distance(kept, {}), 1e-12);
 }
@@ -70,7 +87,7 @@ void run_halves(Check& check, CaseResult& result) {
     const CaseClock clock(check);
     std::vector<std::size_t> buffers;
     for (std::size_t i = 0; i < subject.renderer().graph().passes.size(); ++i)
-        if (is_fed_back_in_halves(subject, i)) buffers.push_back(i);
+        if (is_fed_back_in_few_bits(subject, i)) buffers.push_back(i);
     int in_a_row = 0;
     for (int end = kHalvesApart; end <= kHalvesPlayed && !clock.is_over(kHalvesShare);
          end += kHalvesApart) {
@@ -99,7 +116,7 @@ void run_halves(Check& check, CaseResult& result) {
 
 void add_halves_case(std::vector<Case>& list, const CheckSubject& subject) {
     for (std::size_t i = 0; i < subject.renderer().graph().passes.size(); ++i) {
-        if (!is_fed_back_in_halves(subject, i)) continue;
+        if (!is_fed_back_in_few_bits(subject, i)) continue;
         list.push_back({"buffers of rgba32f", run_halves});
         return;
     }

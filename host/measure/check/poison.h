@@ -18,7 +18,7 @@ void poison(const Buffer& buffer, glm::ivec2 texel, float value);
 void exchange(const CheckSubject& subject, std::size_t index, const std::vector<glm::ivec2>& texels,
               int round, int times);
 
-// Rounds what a buffer that is no cube holds to floats of 16 bits.
-void round_to_halves(const CheckSubject& subject, std::size_t index);
+// Puts what this makes of each value into a buffer that is no cube.
+void change_values(const CheckSubject& subject, std::size_t index, float (*changed)(float));
 
 }  // namespace glint

@@ -34,7 +34,8 @@ CheckSubject::CheckSubject(const ViewOptions& view, const Preset& opened, Contex
       picture_alone_(options.marked && options.marked->outputs),
       context_(context) {
     for (Pass& pass : preset.scene.passes) {
-        if (options.float_bytes != 0 && bytes_a_channel(pass.format) != 1)
+        const bool is_of_floats = bytes_a_channel(pass.format) != 1;
+        if (options.float_bytes == 4 || (options.float_bytes != 0 && is_of_floats))
             pass.format = with_channel_bytes(pass.format, options.float_bytes);
     }
     CompiledScene compiled = compile_or_stop(
