@@ -1,12 +1,14 @@
 #include "scene/look_changes.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace glint {
 
 std::vector<std::string> lay_changes_over(const Preset& before, const Preset& now,
                                           TweakValues& tweaks) {
     std::vector<std::string> overruled;
+    std::vector<TweakValue> values = tweaks.values();
     for (std::size_t i = 0; i < now.scene.tweaks.size(); ++i) {
         const Tweak& tweak = now.scene.tweaks[i];
         const auto& old = before.scene.tweaks;
@@ -22,11 +24,13 @@ std::vector<std::string> lay_changes_over(const Preset& before, const Preset& no
         }
         const TweakValue& was = before.values[static_cast<std::size_t>(same - old.begin())];
         const bool default_moved = was == same->initial && now.values[i] == tweak.initial;
-        const TweakValue here = tweaks.value(i);
-        if (was != now.values[i] && !default_moved) tweaks.set(i, now.values[i]);
-        if (tweaks.value(i) != here && here != was) overruled.push_back(tweak.name);
         if (locks(before) != locks(now)) tweaks.lock(i, locks(now));
+        if (was == now.values[i] || default_moved) continue;
+        const TweakValue here = std::exchange(values[i], now.values[i]);
+        if (here != values[i] && here != was) overruled.push_back(tweak.name);
+        tweaks.follow_hidden(i, was, now.values[i]);
     }
+    tweaks.set_all(values);
     return overruled;
 }
 

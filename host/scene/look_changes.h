@@ -10,8 +10,9 @@
 namespace glint {
 
 // Tweaks whose value or lock in `now` is another than in `before` get those of `now`; all others
-// stay as they are. `tweaks` are those of the scene of `now`. Returns the names of those that had a
-// value which neither of both has.
+// stay as they are. Of the shown set that is one entry of the undo list; in the other one what a
+// person has changed stays. `tweaks` are those of the scene of `now`. Returns the names of those
+// that had a value which neither of both has.
 std::vector<std::string> lay_changes_over(const Preset& before, const Preset& now,
                                           TweakValues& tweaks);
 

@@ -292,6 +292,11 @@ void TweakValues::copy_to_other() {
     commit();
 }
 
+void TweakValues::follow_hidden(std::size_t index, const TweakValue& was, const TweakValue& now) {
+    TweakValue& value = slot(held_[index], other_set(shown_));
+    if (value == was) value = clamp_to_range(held_[index].tweak, now);
+}
+
 bool TweakValues::apply(const TweakEdit& edit) {
     const auto stand = [this] {
         return std::tuple(values(TweakSet::a), values(TweakSet::b), shown_);

@@ -112,6 +112,8 @@ public:
     TweakSet shown() const { return shown_; }
     void show(TweakSet set);  // commits what is open
     void copy_to_other();     // the shown values; undo takes it back
+    // In the set that is not shown, what stands at `was` becomes `now`; no entry of the undo list.
+    void follow_hidden(std::size_t index, const TweakValue& was, const TweakValue& now);
 
     // Does what a person wished for. Whether any value is another now, or another set is shown.
     bool apply(const TweakEdit& edit);

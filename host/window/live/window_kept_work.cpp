@@ -147,7 +147,7 @@ void PlaygroundWindow::keep_at_end() {
 // two sets this is the other one.
 TweakSet PlaygroundWindow::offered_set() const {
     const TweakSet shown = playground_.tweaks.shown();
-    return has_restored_ ? other_set(shown) : shown;
+    return restored_ > 0 ? other_set(shown) : shown;
 }
 
 // The work that is offered, as a look of the text on the screen, which may change meanwhile: laid
@@ -187,8 +187,11 @@ bool PlaygroundWindow::says_what_stands(const Preset& look) const {
            look.time == written.time && channel_texts(look) == channel_texts(*playground_.preset());
 }
 
-// The newest work that a run has left on this file, unless it is what the file says anyway.
+// The newest work that a run has left on this file, unless it is what the file says anyway. Where
+// both sets have some already, the next start offers it.
 void PlaygroundWindow::find_unsaved() {
+    offer_.reset();
+    if (restored_ == std::size(kTweakSets)) return;
     while ((offer_ = unsaved_work_.find(place_))) {
         const ReadPreset read = read_offer();
         if (read.preset && !says_what_stands(*read.preset)) return;
@@ -207,7 +210,7 @@ void PlaygroundWindow::restore() {
     const ReadPreset read = read_offer();
     if (!read.preset) return;
     playground_.tweaks.show(offered_set());
-    has_restored_ = true;
+    ++restored_;
     if (!same(read.preset->events, playground_.as_written()->events))
         recorded_ = read.preset->events;
     const std::vector<std::string> mine = channel_texts(*playground_.preset());

@@ -213,7 +213,7 @@ void PlaygroundWindow::open(const fs::path& file) {
     probe_.stop();
     overwriting_.reset();
     unsaved_work_.leave_found();
-    has_restored_ = false;
+    restored_ = 0;
     offer_.reset();
     study_.clear();
     check_.clear();
