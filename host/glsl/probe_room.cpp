@@ -73,7 +73,7 @@ ProbeRoom room_at(const Reading& reading, Span line, std::uint32_t f, bool is_no
     if (const std::uint32_t last = is_note ? last_that_ends(reading, line, function) : kNone;
         last != kNone)
         return {kNone, last, true};
-    std::uint32_t chosen = kNone, around = function.first_statement, next = kNone;
+    std::uint32_t chosen = kNone, around = function.first_statement, next = kNone, opened = kNone;
     for (std::uint32_t i = function.first_statement + 1; i < end; ++i) {
         const Statement& one = statements[i];
         const Span place = reading.place(one.tokens);
@@ -82,7 +82,9 @@ ProbeRoom room_at(const Reading& reading, Span line, std::uint32_t f, bool is_no
         if (is_there && is_one && (chosen == kNone || statements[chosen].next <= i)) chosen = i;
         if (place.begin < line.begin && line.begin < place.end) around = i;
         if (next == kNone && place.begin >= line.end) next = i;
+        if (is_there && one.kind == StatementKind::block && place.end > line.end) opened = i;
     }
+    if (chosen == kNone && opened != kNone) return {statements[opened].tokens.begin, kNone};
     if (chosen == kNone && statements[around].kind != StatementKind::block) chosen = around;
     if (chosen == kNone) {  // an empty line: before what follows in the same block, or at its end
         if (reading.place(function.body).begin >= line.begin) return {function.body.begin, kNone};
@@ -93,8 +95,12 @@ ProbeRoom room_at(const Reading& reading, Span line, std::uint32_t f, bool is_no
     if (reading.place(statements[chosen].tokens).end <= line.end &&
         is_behind_whole(reading, chosen, is_note))
         return {kNone, chosen, true};
-    if (is_loop(kind) && statements[chosen + 1].kind == StatementKind::block)
-        return {statements[chosen + 1].tokens.begin, kNone};
+    if (is_loop(kind) && statements[chosen + 1].kind == StatementKind::block) {
+        const TokenRange body = statements[chosen + 1].tokens;
+        const bool is_at_end =
+            reading.place(body).end <= line.begin;  // of a do, in the line of its while
+        return {is_at_end ? body.end - 1 : body.begin, kNone};
+    }
     if (is_loop(kind)) return {kNone, chosen + 1};
     return {kNone, chosen,
             kind == StatementKind::declaration || kind == StatementKind::expression ||

@@ -150,6 +150,87 @@ TEST_F(ProbeVerb, WritesAMapCountsCostAndFindsFaults) {
     EXPECT_EQ(first["operands"], Json({-0.5}));
 }
 
+TEST_F(ProbeVerb, AsksWhereABlockBegins) {
+    write("scene.frag",
+          "void mainImage(out vec4 c, in vec2 p) {\n"
+          "    float x = 1.0;\n"
+          "    {\n"
+          "        x = 3.0;\n"
+          "    }\n"
+          "    switch (int(x)) {\n"
+          "        case 3: {\n"
+          "            x = 5.0;\n"
+          "            break;\n"
+          "        }\n"
+          "    }\n"
+          "    do\n"
+          "    { x += 1.0;\n"
+          "    }\n"
+          "    while (x < 7.0);\n"
+          "    c = vec4(x);\n}\n");
+    const auto told = [&](int line) {
+        const Json all = json({"--expr", fmt::format("x@{}", line)});
+        Json values = Json::array();
+        for (const Json& row : all["values"]) values.push_back(row["value"][0]);
+        return values;
+    };
+    EXPECT_EQ(told(3), Json({1.0}));
+    EXPECT_EQ(told(7), Json({3.0}));
+    EXPECT_EQ(told(15), Json({6.0, 7.0}));
+}
+
+TEST_F(ProbeVerb, OfAMacrosAssignmentsTellsThatWhichIsNamed) {
+    write("scene.frag",
+          "#define S for (int i = 0; i < 3; i++) { acc2 = float(i); if (i == 1) acc = 7.0; }\n"
+          "#define T acc = 1.0; if (p.x > 99.0) acc = 2.0;\n"
+          "void mainImage(out vec4 c, in vec2 p) {\n"
+          "    float acc = 0.0, acc2 = 0.0;\n"
+          "    S\n"
+          "    T\n"
+          "    c = vec4(acc, acc2, 0, 1);\n}\n");
+    const auto series = [&](const char* line) {
+        return json({"--line", line, "--along", "time", "--frames", "0:1"})["series"][0];
+    };
+    EXPECT_EQ(series("5")["name"], "acc");
+    EXPECT_EQ(values_of(series("5")), Json({{7.0}, {7.0}}));
+    EXPECT_EQ(series("6")["unreached"], 2);
+}
+
+TEST_F(ProbeVerb, OfAFaultTellsThePassTheFaceAndTheOutputThatIsNotGiven) {
+    const auto fault = [&](const std::string& text) {
+        write("scene.frag", text);
+        return probe({"--faults"}).out;
+    };
+    const std::string cube = fault(
+        "uniform samplerCube sky; //@ pass mainSky size=4\n"
+        "float root(float x) { return sqrt(x); }\n"
+        "void mainSky(out vec4 c, in vec2 p, in vec3 o, in vec3 d) {\n"
+        "    c = vec4(root(d.y < -0.9 && d.z > 0.1 ? -1.0 : 1.0));\n}\n"
+        "void mainImage(out vec4 c, in vec2 p) { c = texture(sky, vec3(p, 1)); }\n");
+    EXPECT_NE(cube.find("sqrt(-1), in root, pass sky, face 3, pixel "), cube.npos) << cube;
+    const std::string unset =
+        fault("void mainImage(out vec4 c, in vec2 p) { c.xy = p; c.r += c.z; c.zw = p; }\n");
+    EXPECT_NE(unset.find(":1: c.z: a value that nothing has given it"), unset.npos) << unset;
+    const std::string sound = fault("void mainImage(out vec4 c, in vec2 p) { c = p.xyxy; }\n");
+    EXPECT_NE(sound.find("no fault"), sound.npos) << sound;
+}
+
+TEST_F(ProbeVerb, OfAPassWithoutAStepSaysSoAndOfAComponentThatIsNeverFiniteNoRange) {
+    write("scene.frag",
+          "uniform sampler2D sum; //@ pass mainSum size=8x4 step=1/30\n"
+          "void mainSum(out vec4 c, in vec2 p) {\n"
+          "    vec2 v = vec2(sqrt(-p.x), p.x);\n"
+          "    c = texelFetch(sum, ivec2(p), 0) + v.y;\n}\n"
+          "void mainImage(out vec4 c, in vec2 p) { c = texelFetch(sum, ivec2(0), 0); }\n");
+    const Outcome early = probe({"--pass", "sum", "--frame", "0", "--expr", "v@4"});
+    EXPECT_EQ(early.code, 1);
+    EXPECT_TRUE(early.err.starts_with("error: Pass sum has taken no step")) << early.err;
+    const Json row =
+        json({"--pass", "sum", "--frame", "9", "--expr", "v@4", "--along", "x"})["series"][0];
+    EXPECT_EQ(row["min"], Json({nullptr, 0.5}));
+    EXPECT_EQ(row["max"], Json({nullptr, 7.5}));
+}
+
 // The picture does not hang on it, so the driver leaves it out, and nobody draws the buffer.
 TEST_F(ProbeVerb, TellsAValueOfABufferThatTweaksSwitchOff) {
     write("off.frag",

@@ -223,7 +223,8 @@ std::optional<std::size_t> FaultWatch::faulty_pixel(std::size_t index, int face)
 }
 
 ProbeFault FaultWatch::fault_of(std::size_t index, const Probe& probe,
-                                const std::vector<ProbeCell>& cells, std::size_t found) const {
+                                const std::vector<ProbeCell>& cells, std::size_t found,
+                                int face) const {
     const ProbeCell& cell = cells[found];
     const ProbeSite& site = probe.probed().sites[site_of(cell)];
     const ProbeValue row = probe.row(site_of(cell));
@@ -235,6 +236,7 @@ ProbeFault FaultWatch::fault_of(std::size_t index, const Probe& probe,
     describe(site, cell, fault);
     const int width = renderer_.buffer(index).shape().size.x, at = static_cast<int>(found);
     fault.pass = pass_name(preset_.scene, renderer_.graph().passes[index].pass);
+    if (renderer_.buffer(index).shape().cube) fault.face = face;
     fault.pixel = {at % width, at / width};
     fault.frame = frame_->frame;
     fault.pixels =
@@ -250,7 +252,7 @@ ProbeFault FaultWatch::fault_of(std::size_t index, const Probe& probe,
 // operation of the pixel is at fault, too.
 void FaultWatch::note(std::size_t index, const Probe& probe, const std::vector<ProbeCell>& cells,
                       std::size_t found, int face) {
-    first_ = fault_of(index, probe, cells, found);
+    first_ = fault_of(index, probe, cells, found, face);
     const auto& sites = probe.probed().sites;
     if (!first_->is_seen || is_marked_ || !has_a_result(sites[site_of(cells[found])])) return;
     std::vector<Span> others;
@@ -259,7 +261,7 @@ void FaultWatch::note(std::size_t index, const Probe& probe, const std::vector<P
     if (others.empty()) return;
     Probe other = probe_of(index, std::move(others));
     const std::vector<ProbeCell> again = other.map(renderer_, *frame_, 0, 0, face);
-    if (has_fault(again[found])) first_ = fault_of(index, other, again, found);
+    if (has_fault(again[found])) first_ = fault_of(index, other, again, found, face);
 }
 
 bool FaultWatch::has_fault(const ProbeCell& cell) const {
@@ -459,6 +461,7 @@ void FaultSurvey::judge(Probe& probe, std::size_t index, int face,
             fault_->what.replace(comma, std::string::npos, ", ...)");
         const int width = renderer_.buffer(index).shape().size.x;
         fault_->pass = pass_name(preset_.scene, renderer_.graph().passes[index].pass);
+        if (renderer_.buffer(index).shape().cube) fault_->face = face;
         fault_->pixel = {static_cast<int>(at) % width, static_cast<int>(at) / width};
         fault_->frame = frame_->frame;
         fault_->is_seen = !is_finite(cells[at]);

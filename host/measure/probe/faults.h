@@ -46,7 +46,7 @@ private:
     void note(std::size_t index, const Probe& probe, const std::vector<ProbeCell>& cells,
               std::size_t found, int face);
     ProbeFault fault_of(std::size_t index, const Probe& probe, const std::vector<ProbeCell>& cells,
-                        std::size_t found) const;
+                        std::size_t found, int face) const;
 
     const Preset& preset_;
     Renderer& renderer_;

@@ -244,7 +244,8 @@ ProbeValue Probe::row(std::size_t index) const {
             .column = place.column,
             .function = site.function,
             .name = site.name,
-            .kind = kind_of(site.kind)};
+            .kind = kind_of(site.kind),
+            .site = index};
 }
 
 std::vector<double> value_of(const ProbeCell& cell) {

@@ -71,6 +71,17 @@ ProbeWish wish_of(const ProbeOptions& options, const ProbeSession& session) {
     throw Stop(ExitCode::usage);
 }
 
+// What is asked of the driver; a usage error where it takes no such expression.
+Probe probe_of(const ProbeOptions& options, ProbeSession& session) {
+    try {
+        return {session.preset(), session.pass(), session.program_options(),
+                wish_of(options, session), session.renderer().give_up()};
+    } catch (const ProbeRefused& refused) {
+        if (options.expression.empty()) throw;
+        stop_at_line(session, options, fmt::format("--expr {}", refused.what()));
+    }
+}
+
 std::string no_value(const ProbeSession& session) {
     return fmt::format("In pass {}, this line gives no variable a value.",
                        pass_name(session.preset().scene, session.pass()));
@@ -194,12 +205,10 @@ void probe_picture(ProbeSession& session, Probe& probe, const ProbeOptions& opti
 }
 
 // Of this site, the last value; of a matrix, a struct or an array its first part.
-const ProbeValue* last_of(const std::vector<ProbeValue>& rows, const ProbeValue& site) {
+const ProbeValue* last_of(const std::vector<ProbeValue>& rows, std::size_t site) {
     const ProbeValue* last = nullptr;
     for (const ProbeValue& row : rows)
-        if (row.column == site.column && row.kind == site.kind && row.name.starts_with(site.name) &&
-            (!last || row.order > last->order))
-            last = &row;
+        if (row.site == site && (!last || row.order > last->order)) last = &row;
     return last;
 }
 
@@ -225,7 +234,7 @@ void probe_frames(ProbeSession& session, Probe& probe, const ProbeOptions& optio
         });
         std::vector<std::string> fewer;
         keep_hit(rows, options, fewer);
-        add_to(series, frame.time, last_of(rows, probe.row(site)));
+        add_to(series, frame.time, last_of(rows, site));
     }
     found = session.probing(place);
     found.series.push_back(std::move(series));
@@ -262,6 +271,10 @@ void probe_faults(ProbeSession& session, const ProbeOptions& options, const Prob
         program.marked = Marked{{0, session.preset().scene.text.size()}};
         found.first_bad = find_fault(session, options, program, of_marked);
     }
+    if (!found.first_bad) {
+        program.marked->outputs = true;
+        found.first_bad = find_fault(session, options, program, of_marked);
+    }
     std::optional<ProbeFault> fault = std::move(found.first_bad);
     found = session.probing(place);
     found.first_bad = std::move(fault);
@@ -285,32 +298,26 @@ void run_probe(const ProbeOptions& options) {
     require_apart({map}, files_expected(session.preset()));
     const ProbePlace place = session.place(options);
     Probing found;
-    try {
-        if (options.faults || options.cost) {
-            if (options.faults) {
-                probe_faults(session, options, place, found);
-            } else {
-                ProbeCost cost = cost_of(session, options, options.map);
-                found = session.probing(place);
-                found.cost = std::move(cost);
-            }
-            return print(found, options);
-        }
-        Probe probe(session.preset(), session.pass(), session.program_options(),
-                    wish_of(options, session), session.renderer().give_up());
-        if (options.along == "time")
-            probe_frames(session, probe, options, place, found);
-        else if (!options.line.empty() && probe.probed().sites.empty() && probe.notes().empty())
-            stop_at_line(session, options, no_value(session));
-        else if (!options.map.empty() || !options.along.empty())
-            probe_picture(session, probe, options, place, found);
-        else
-            probe_pixel(session, probe, options, place, found);
-        for (std::string& note : probe.notes()) found.notes.push_back(std::move(note));
-    } catch (const ProbeRefused& refused) {
-        if (options.expression.empty()) throw;
-        stop_at_line(session, options, fmt::format("--expr {}", refused.what()));
+    if (options.faults) {
+        probe_faults(session, options, place, found);
+        return print(found, options);
     }
+    if (options.cost) {
+        ProbeCost cost = cost_of(session, options, options.map);
+        found = session.probing(place);
+        found.cost = std::move(cost);
+        return print(found, options);
+    }
+    Probe probe = probe_of(options, session);
+    if (options.along == "time")
+        probe_frames(session, probe, options, place, found);
+    else if (!options.line.empty() && probe.probed().sites.empty() && probe.notes().empty())
+        stop_at_line(session, options, no_value(session));
+    else if (!options.map.empty() || !options.along.empty())
+        probe_picture(session, probe, options, place, found);
+    else
+        probe_pixel(session, probe, options, place, found);
+    for (std::string& note : probe.notes()) found.notes.push_back(std::move(note));
     print(found, options);
 }
 

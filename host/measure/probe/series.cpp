@@ -63,11 +63,18 @@ std::string plot(const ProbeSeries& series) {
 
 std::string range_of(const ProbeSeries& series) {
     std::string text;
-    if (!series.min.empty() && series.min[0] > series.max[0])
+    std::vector<double> low = series.min, high = series.max;
+    std::size_t nowhere = 0;  // components
+    for (std::size_t c = 0; c < low.size(); ++c) {
+        if (low[c] <= high[c]) continue;
+        low[c] = high[c] = std::numeric_limits<double>::quiet_NaN();
+        ++nowhere;
+    }
+    if (nowhere > 0 && nowhere == low.size())
         text = "none is finite  ";
-    else if (!series.min.empty())
-        text = fmt::format("min {}  max {}  ", shown_value(series.min, series.what.type),
-                           shown_value(series.max, series.what.type));
+    else if (!low.empty())
+        text = fmt::format("min {}  max {}  ", shown_value(low, series.what.type),
+                           shown_value(high, series.what.type));
     return text + fmt::format("NaN {}  Inf {}  not reached {}\n", series.nan, series.infinite,
                               series.unreached);
 }

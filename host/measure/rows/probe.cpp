@@ -70,14 +70,22 @@ ProbeValue value_from(const Json& json) {
     return value;
 }
 
+// null for a component that is nowhere finite.
+Json ends(const ProbeSeries& series, const std::vector<double>& side) {
+    Json list = numbers(side, series.what.type);
+    for (std::size_t c = 0; c < side.size(); ++c)
+        if (series.min[c] > series.max[c]) list[c] = nullptr;
+    return list;
+}
+
 Json to_json(const ProbeSeries& series) {
     const std::string& type = series.what.type;
     Json json = {{"along", series.along},
                  {"name", series.what.name},
                  {"line", series.what.line},
                  {"type", type},
-                 {"min", numbers(series.min, type)},
-                 {"max", numbers(series.max, type)},
+                 {"min", ends(series, series.min)},
+                 {"max", ends(series, series.max)},
                  {"nan", series.nan},
                  {"infinite", series.infinite},
                  {"unreached", series.unreached}};
@@ -139,18 +147,20 @@ ProbeCost cost_from(const Json& json) {
 }
 
 Json to_json(const ProbeFault& fault) {
-    return {{"file", fault.file},
-            {"line", fault.line},
-            {"column", fault.column},
-            {"function", fault.function},
-            {"expression", fault.expression},
-            {"what", fault.what},
-            {"operands", numbers(fault.operands)},
-            {"pass", fault.pass},
-            {"pixel", pair(fault.pixel)},
-            {"frame", fault.frame},
-            {"pixels", fault.pixels},
-            {"is_seen", fault.is_seen}};
+    Json json = {{"file", fault.file},
+                 {"line", fault.line},
+                 {"column", fault.column},
+                 {"function", fault.function},
+                 {"expression", fault.expression},
+                 {"what", fault.what},
+                 {"operands", numbers(fault.operands)},
+                 {"pass", fault.pass},
+                 {"pixel", pair(fault.pixel)},
+                 {"frame", fault.frame},
+                 {"pixels", fault.pixels},
+                 {"is_seen", fault.is_seen}};
+    if (fault.face) json["face"] = *fault.face;
+    return json;
 }
 
 }  // namespace
@@ -200,8 +210,13 @@ std::string shown_value(const std::vector<double>& value, const std::string& typ
 }
 
 std::string sentence_of(const ProbeFault& fault) {
-    return fmt::format("{}:{}: {}: {}, pixel {},{}, frame {}", fault.file, fault.line,
-                       fault.expression, fault.what, fault.pixel.x, fault.pixel.y, fault.frame);
+    const std::string function =
+        fault.function.starts_with("main") ? "" : fmt::format("in {}, ", fault.function);
+    const std::string pass = fault.pass == "image" ? "" : fmt::format("pass {}, ", fault.pass);
+    const std::string face = fault.face ? fmt::format("face {}, ", *fault.face) : "";
+    return fmt::format("{}:{}: {}: {}, {}{}{}pixel {},{}, frame {}", fault.file, fault.line,
+                       fault.expression, fault.what, function, pass, face, fault.pixel.x,
+                       fault.pixel.y, fault.frame);
 }
 
 }  // namespace glint

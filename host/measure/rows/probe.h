@@ -18,12 +18,13 @@ struct ProbeValue {
     std::string file{};
     int line = 0, column = 0;  // from 1
     std::string function{};
-    std::string name{};  // `p.xz`, `hit.nor`, `m[0]`; of what was returned, the function's
-    std::string kind{};  // "assigned", "parameter", "returned", "condition", "reached", …
-    std::string type{};  // "vec3"; empty of what was only reached
-    int hit = 0;         // the how manieth this is, from 1
-    int hits = 0;        // how many there are
-    int order = 0;       // among all that was noted
+    std::string name{};    // `p.xz`, `hit.nor`, `m[0]`; of what was returned, the function's
+    std::string kind{};    // "assigned", "parameter", "returned", "condition", "reached", …
+    std::string type{};    // "vec3"; empty of what was only reached
+    int hit = 0;           // the how manieth this is, from 1
+    int hits = 0;          // how many there are
+    int order = 0;         // among all that was noted
+    std::size_t site = 0;  // of the program that told it; not written
     std::vector<double> value{};
 };
 
@@ -33,7 +34,7 @@ struct ProbeSeries {
     ProbeValue what{};                          // without a value
     std::vector<double> at{};                   // pixel, or s; of a map nothing
     std::vector<std::vector<double>> values{};  // empty where it was not reached
-    std::vector<double> min{}, max{};           // of the finite ones, by component
+    std::vector<double> min{}, max{};           // of the finite ones, by component; min > max: none
     std::size_t nan = 0, infinite = 0, unreached = 0;
 };
 
@@ -64,6 +65,7 @@ struct ProbeFault {
     std::string function{}, expression{}, what{};  // "division by zero"
     std::vector<double> operands{};
     std::string pass{};
+    std::optional<int> face{};  // of a cube
     glm::ivec2 pixel{0};
     int frame = 0;
     std::size_t pixels = 0;   // of the pass in that frame that have a fault there

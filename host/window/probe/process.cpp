@@ -23,6 +23,7 @@
 #include <deque>
 #include <memory>
 #include <optional>
+#include <string_view>
 
 namespace glint {
 namespace {
@@ -182,6 +183,12 @@ void Subject::add_costs(const ProbeOrder& order, Probing& found, ProbeAnswer& an
     }
 }
 
+// `m[1]` and `hit.nor`, of `m` and `hit`, and these themselves.
+bool is_part_of(std::string_view name, std::string_view whole) {
+    return name.starts_with(whole) &&
+           (name.size() == whole.size() || name[whole.size()] == '.' || name[whole.size()] == '[');
+}
+
 void Subject::add_map(const ProbeOrder& order, ProbeAnswer& answer) {
     if (order.map != ProbeMap::value) return;
     std::vector<Probe*> probes;
@@ -191,7 +198,7 @@ void Subject::add_map(const ProbeOrder& order, ProbeAnswer& answer) {
         for (std::size_t i = 0; i < probe->probed().sites.size(); ++i) {
             const ProbeValue row = probe->row(i);
             if (row.line != order.line || row.column != order.column || row.file != order.file ||
-                row.kind != order.kind || !order.name.starts_with(row.name))
+                row.kind != order.kind || !is_part_of(order.name, row.name))
                 continue;
             // A leaf's number stands in the row's name: `m[1]`, `hit.nor`.
             const std::vector<ProbeCell> first = probe->map(*renderer_, frame_, i, 0);
