@@ -811,12 +811,14 @@ vec4 paintOf(int part, vec3 q, float w, inout vec3 nor) {
 // What each thing sends to the eye: sky and deep water by looking up a blurred picture of the sky,
 // sand and wood as matt surfaces, varnish and foam above them.
 
-// The sky's picture goes from the horizon to straight up, finest low; a: how clear the view of the
-// sun is. cone: rad, what is seen as one.
+// The sky's picture goes from the horizon to straight up, where its last row lies, finest low; a:
+// how clear the view of the sun is. cone: rad, what is seen as one.
 vec4 heavens(vec3 rd, float cone) {
     float lod = clamp(log2(max(cone, 1e-4) * 2048.0 / (2.0 * kPi)), 0.0, 7.0);
-    float edge = min(exp2(lod) / 1024.0, 0.5), v = clamp(sqrt(max(rd.y, 0.0)), edge, 1.0 - edge);
-    return textureLod(sky, vec2(atan(rd.x, -rd.z + 1e-9) / (2.0 * kPi) + 0.5, v), lod);
+    float edge = min(exp2(ceil(lod)) / 1024.0, 0.5);
+    float v = sqrt(max(rd.y, 0.0)) * (1.0 - 1.0 / 1024.0);
+    return textureLod(sky, vec2(atan(rd.x, -rd.z + 1e-9) / (2.0 * kPi) + 0.5,
+                                clamp(v, edge, 1.0 - edge)), lod);
 }
 // What waves from both sides of a wide cone mirror: the sky, or more water.
 vec3 mirroredSky(vec3 rd, float cone) {
@@ -1123,7 +1125,8 @@ vec3 render(Eye e, vec3 rd, float angle, float chance) {
 void mainAir(out vec4 colour, in vec2 pixel) {
     vec2 uv = pixel / iResolution.xy;
     vec3 sun = sunDirection(), sunward = vec3(0.0, sun.y, -sqrt(max(1.0 - sun.y * sun.y, 0.0)));
-    float up = uv.y * uv.y, level = sqrt(1.0 - up * up), a = kPi * uv.x;
+    float v = min(uv.y / (1.0 - 0.5 / iResolution.y), 1.0), up = v * v;
+    float level = sqrt(1.0 - up * up), a = kPi * uv.x;
     vec3 rd = vec3(level * sin(a), up, -level * cos(a)), ro = vec3(0.0, 6360.3, 0.0);   // km
     vec3 rayleigh = vec3(5.8e-3, 13.5e-3, 33.1e-3), ozone = vec3(0.65e-3, 1.88e-3, 0.085e-3);
     float mie = 3.0e-3 * haze, mu = dot(rd, sunward), g = 0.76;
@@ -1161,22 +1164,32 @@ float ridge(float turns, int seed) {   // smooth noise round the horizon
     return mix(random3(ivec3(c.x, seed, 3)).x, random3(ivec3(c.y, seed, 3)).x, s);
 }
 
+// Clouds on a flat layer, 0 to 1, whose octaves curl.
+float cloudNoise(vec3 rd, float up) {
+    // Wider round the zenith, where all columns of the picture meet in a point.
+    float wide = 1.0 - exp(-40.0 * (1.0 - up * up)), sum = 0.0, weight = 0.5;
+    vec2 q = turn(rd.xz * wide / (up + 0.05), 0.5) * vec2(0.055, 0.10) + 0.5;
+    for (int i = 0; i < 6; ++i) {
+        sum += weight * tiledNoise(min(fract(q), 0.999999), ivec2(6) << i, 20 + i);
+        q += 0.05 * sum;
+        weight *= 0.55;
+    }
+    return sum;
+}
 // All round, over the horizon: sky, clouds, headlands.
 void mainSky(out vec4 colour, in vec2 pixel) {
     vec2 uv = pixel / iResolution.xy;
     vec3 sun = sunDirection();
-    float a = 2.0 * kPi * (uv.x - 0.5), up = uv.y * uv.y;
+    float a = 2.0 * kPi * (uv.x - 0.5), v = min(uv.y / (1.0 - 0.5 / iResolution.y), 1.0);
+    float up = v * v;
     vec3 rd = vec3(sqrt(1.0 - up * up) * sin(a), up, -sqrt(1.0 - up * up) * cos(a));
     float turned = abs(fract((a - radians(sunAngle)) / (2.0 * kPi) + 0.5) - 0.5) * 2.0;
-    vec3 light = texture(air, vec2(turned, uv.y)).rgb + vec3(0.0010, 0.0019, 0.0052);
-    vec3 clear = texture(air, vec2(turned, 0.75)).rgb, low = texture(air, vec2(turned, 0.2)).rgb;
-    vec2 q = turn(rd.xz / (up + 0.05), 0.5) * vec2(0.055, 0.10) + 0.5;
-    float sum = 0.0, weight = 0.5;
-    for (int i = 0; i < 6; ++i) {
-        sum += weight * tiledNoise(min(fract(q), 0.999999), ivec2(6) << i, 20 + i);
-        q += 0.05 * sum;   // curls
-        weight *= 0.55;
-    }
+    vec3 light = texture(air, vec2(turned, v * (1.0 - 0.5 / 128.0))).rgb
+        + vec3(0.0010, 0.0019, 0.0052);
+    // What lies low all round lights the clouds high up, not what lies low below them.
+    float aside = mix(turned, 0.5, min(2.0 * up, 1.0));
+    vec3 clear = texture(air, vec2(aside, 0.75)).rgb, low = texture(air, vec2(aside, 0.2)).rgb;
+    float sum = cloudNoise(rd, up);
     float cover = mix(0.80, 0.22, clouds), thick = smoothstep(cover, cover + 0.22, sum);
     thick *= smoothstep(0.0, 0.05, up) * step(0.001, clouds);
     float towards = max(dot(rd, sun), 0.0);

@@ -471,11 +471,12 @@ Hit intersect(vec3 ro, vec3 rd, bool wet) {
 }
 
 // ---- Light --------------------------------------------------------------------------------------
-// The sky's picture goes from straight down to straight up, finest at the horizon; a: how clear the
-// view of the sun is. cone: rad, what is seen as one.
+// The sky's picture goes from straight down to straight up, where its outer rows lie, finest at the
+// horizon; a: how clear the view of the sun is. cone: rad, what is seen as one.
 vec4 skyLight(vec3 rd, float cone) {
     float lod = clamp(log2(max(cone, 1e-4) * 2048.0 / (2.0 * kPi)), 0.0, 6.0);
-    float v = 0.5 + 0.5 * sign(rd.y) * sqrt(abs(rd.y)), edge = exp2(lod) / 1024.0;
+    float v = 0.5 + sign(rd.y) * sqrt(abs(rd.y)) * (0.5 - 0.5 / 512.0);
+    float edge = exp2(ceil(lod)) / 1024.0;
     return textureLod(sky, vec2(atan(rd.x, -rd.z + 1e-9) / (2.0 * kPi) + 0.5,
                                 clamp(v, edge, 1.0 - edge)), lod);
 }
@@ -1006,7 +1007,8 @@ vec3 planarWater(Ray r, float t) {
 void mainAir(out vec4 colour, in vec2 pixel) {
     vec2 uv = pixel / iResolution.xy;
     vec3 sun = towardsSun(), sunward = vec3(0.0, sun.y, -sqrt(max(1.0 - sun.y * sun.y, 0.0)));
-    float up = uv.y * uv.y, level = sqrt(1.0 - up * up), a = kPi * uv.x;
+    float v = min(uv.y / (1.0 - 0.5 / iResolution.y), 1.0), up = v * v;
+    float level = sqrt(1.0 - up * up), a = kPi * uv.x;
     vec3 rd = vec3(level * sin(a), up, -level * cos(a)), ro = vec3(0.0, 6360.3, 0.0);   // km
     vec3 rayleigh = vec3(5.8e-3, 13.5e-3, 33.1e-3), ozone = vec3(0.65e-3, 1.88e-3, 0.085e-3);
     float mie = 3.0e-3 * haze, mu = dot(rd, sunward), g = 0.76;
@@ -1059,7 +1061,9 @@ float ridge(float turns, int seed) {   // smooth noise round the horizon
 float alongWind(vec3 rd, float v) {
     bool sea = v < 0.0;
     float up = v * v, weight = 0.5, sum = 0.0, dv = 2.0 / iResolution.y;
-    vec2 q = turn(rd.xz / (up + 0.10), 0.5) * vec2(0.030, 0.075) + 0.5;
+    // Wider round the zenith, where all columns of the picture meet in a point.
+    float wide = 1.0 - exp(-40.0 * (1.0 - up * up));
+    vec2 q = turn(rd.xz * wide / (up + 0.10), 0.5) * vec2(0.030, 0.075) + 0.5;
     if (sea) q = turn(rd.xz / (up + 0.004), 0.9) * vec2(0.013, 0.060) + 0.5;
     float row = sea ? 0.055 * 2.0 * abs(v) * dv / square(up + 0.004) : 0.0;
     for (int i = 0; i < 6; ++i) {
@@ -1092,18 +1096,21 @@ vec3 farSea(vec3 rd, float up, float streak, float turned, vec3 sun, vec3 night)
 void mainSky(out vec4 colour, in vec2 pixel) {
     vec2 uv = pixel / iResolution.xy;
     vec3 sun = towardsSun();
-    float a = 2.0 * kPi * (uv.x - 0.5), v = 2.0 * uv.y - 1.0, up = v * v;
+    float a = 2.0 * kPi * (uv.x - 0.5), v = (2.0 * uv.y - 1.0) / (1.0 - 1.0 / iResolution.y);
+    float up = min(v * v, 1.0);
     vec3 rd = vec3(sqrt(1.0 - up * up) * sin(a), up, -sqrt(1.0 - up * up) * cos(a));
     float turned = abs(fract((a - radians(sunAngle)) / (2.0 * kPi) + 0.5) - 0.5) * 2.0;
     vec3 night = vec3(0.0010, 0.0019, 0.0052);   // airglow and what scatters twice
-    vec3 light = texture(air, vec2(turned, abs(v))).rgb + night;
+    vec3 light = texture(air, vec2(turned, abs(v) * (1.0 - 0.5 / 128.0))).rgb + night;
     float drawn = alongWind(rd, v), sum = v < 0.0 ? 0.0 : drawn;
     float cover = mix(0.85, 0.35, clouds), thick = smoothstep(cover, cover + 0.38, sum);
     thick *= smoothstep(0.0, 0.10, up) * step(0.001, clouds);
     float towards = max(dot(rd, normalize(vec3(sun.x, max(sun.y, 0.0), sun.z))), 0.0);
     vec3 lit = sunColour() * (0.05 + 0.10 * pow(towards, 4.0) + 0.35 * pow(towards, 40.0));
-    vec3 around = 0.9 * texture(air, vec2(turned, 0.75)).rgb
-        + 0.25 * texture(air, vec2(turned, 0.2)).rgb + night;
+    // What lies low all round lights the clouds high up, not what lies low below them.
+    float aside = mix(turned, 0.5, min(2.0 * up, 1.0));
+    vec3 around = 0.9 * texture(air, vec2(aside, 0.75)).rgb
+        + 0.25 * texture(air, vec2(aside, 0.2)).rgb + night;
     light = mix(light, around + lit * (1.0 - 0.55 * thick), 0.85 * thick);
     float shore = smoothstep(0.04, 0.12, abs(uv.x - 0.5));
     // Higher up there is none; whole quads agree, for there are derivatives below.
