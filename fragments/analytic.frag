@@ -70,7 +70,7 @@ uniform vec3  fillColour;      //@ #8fb8ff "soft light from above"
 uniform float fillPower;       //@ 1.0 [0, 4] "brightness of the soft light"
 uniform bool  shadows;         //@ on "shadows of both lights"
 //@ group Camera
-uniform float cameraDistance;  //@ 7.6 [4, 14] unit=m "from the middle"
+uniform float cameraDistance;  //@ 7.6 [4, 8.8] unit=m "from the middle"
 uniform float cameraAngle;     //@ 0 [-180, 180] unit=deg "round the middle"
 uniform float cameraHeight;    //@ 1.7 [0.1, 8] unit=m "of the eye"
 uniform float targetHeight;    //@ 1.15 [0, 4] unit=m "of the point looked at"
