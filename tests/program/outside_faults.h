@@ -320,6 +320,34 @@ inline void add_other_words(std::vector<Planted>& list) {
 }
 
 // What hides behind a guard, and what only a sound does.
+// What is switched on at whole seconds; rates that are read; what changes once a second.
+inline void add_seconds(std::vector<Planted>& list) {
+    const auto follower = [](const char* to, const char* share) {
+        return fed(fmt::format(
+            "float t = float(iTick & 524287u) / 65536.0; c = mix(s, vec4({}), {});", to, share));
+    };
+    for (const auto& [name, to] :
+         {std::pair("seconds", "step(0.5, fract(0.5 * t))"), std::pair("after_two", "step(2.0, t)"),
+          std::pair("each_second", "fract(0.37 * floor(t))")})
+        list.push_back({std::string("frame_rate/") + name, follower(to, "0.05"),
+                        follower(to, "iFrame == 0 ? 0.0 : 1.0 - exp(-3.0 * iTimeDelta)")});
+    const auto waves = [](const char* rate) {
+        return image(
+            fmt::format("float t = float(iTick & 524287u) / 65536.0; "
+                        "c = vec4(0.5 + 0.5 * sin(9.0 * q.x + 0.78539816 * t * {}));",
+                        rate));
+    };
+    list.push_back({"frame_rate/read", waves("round(iFrameRate / 60.0)"), waves("1.0")});
+    const auto hashed = [](const char* second) {
+        return image(
+            fmt::format("c = vec4(fract(sin(dot(floor(p / 4.0) + {}, vec2(12.9898, "
+                        "78.233))) * 43758.5453));",
+                        second));
+    };
+    list.push_back({"time/hash_of_seconds", hashed("2e3 * floor(iTime)"),
+                    hashed("float((iTick >> 16) & 63u)")});
+}
+
 inline void add_guarded(std::vector<Planted>& list) {
     // A wave whose largest stable share is a half; a value that grew too large counts as 0.
     const auto wave = [](const char* share) {
@@ -362,6 +390,7 @@ inline std::vector<Planted> outside_faults() {
     planting::add_other_passes(list);
     planting::add_other_words(list);
     planting::add_guarded(list);
+    planting::add_seconds(list);
     return list;
 }
 

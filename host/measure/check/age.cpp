@@ -201,7 +201,7 @@ void judge_motion(const Motion& young, const Motion& old, CaseResult& result) {
     const double least = kLeastMoving * young.moving - kBeats * young.frame;
     const double finely_least =
         kLeastFinelyMoving * young.finely_moving - kBeats * young.fine_frame;
-    if (old.moving < least) {
+    if (old.moving < least || (old.moving == 0.0 && young.moving > 0.0)) {
         result.fail(fmt::format("stands still in {:.0f} % of frames, when young in {:.0f} %",
                                 100.0 - 100.0 * old.moving, 100.0 - 100.0 * young.moving));
     } else if (old.finely_moving < finely_least) {

@@ -43,8 +43,8 @@ struct Check {
     std::optional<Motion> young{};         // of the preset
     std::optional<bool> rests{};           // whether the motion of the preset is over after an hour
     std::optional<float> usual_largest{};  // of what is fed back, over some hundred frames
-    std::optional<State> early{}, later{};  // after 0.25 s and 1 s
-    std::unique_ptr<CheckSubject> wide{};   // with all floats of buffers of 32 bits
+    std::optional<State> early{}, later{}, whole{};  // after 0.35, 0.93 and 1 s
+    std::unique_ptr<CheckSubject> wide{};            // with all floats of buffers of 32 bits
 
     // How many frames to draw where a quick scene gets so many.
     int paced(int frames, int least) const {

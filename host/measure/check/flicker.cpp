@@ -44,6 +44,8 @@ std::vector<glm::dvec3> tile_colours(const std::vector<float>& picture, glm::ive
 // s, where the pictures of all rates are compared: later, and with the mouse or keys held before
 // what they move meets a limit.
 constexpr double kMet = 0.5, kMetHeld = 0.1;
+// s; what has no state meets no limit, and shows late what begins slowly.
+constexpr std::array kStateless = {kMet, 2.3, 7.1};
 // s, where it is looked for what fades: what flashes up now and then has by one of them, and what
 // the mouse or keys left once they are let go.
 constexpr std::array kFading = {kMet, 0.7, 1.2};
@@ -124,6 +126,7 @@ using Rates = std::array<Shown, 3>;
 // Plays on from the frame that is given.
 bool show_at_rate(CheckSubject& subject, int from, double met, double fps, Shown& shown) {
     const int frames = static_cast<int>(std::lround(met * fps));
+    if (!subject.stateful()) from = frames - 1;
     if (!subject.play_frames(from, frames, fps)) return false;
     shown.before = blurred(subject.picture(), subject.preset.size);
     if (!subject.play_frames(frames, frames + 1, fps)) return false;
@@ -285,9 +288,11 @@ void run_frame_rates(Check& check, CaseResult& result) {
         if (!one.events.empty()) moments = {kMetHeld, kMet};
         if (first.empty() && subject.stateful() && check.pace == 1.0)
             moments.assign(kFading.begin(), kFading.end());
+        if (!subject.stateful()) moments.assign(kStateless.begin(), kStateless.end());
         const std::vector<Rates> shown = show_at_rates(subject, moments);
         for (std::size_t i = 0; i < shown.size() && result.verdict != CaseVerdict::fail; ++i) {
-            if (moments[i] <= kMet) compare_rates(shown[i], moments[i], result);
+            if (moments[i] <= kMet || !subject.stateful())
+                compare_rates(shown[i], moments[i], result);
             if (first.empty()) first = result.note;
             find_fading(shown[i], moments[i], result);
             if (result.verdict == CaseVerdict::fail) show_again(subject, moments[i]);
@@ -434,7 +439,10 @@ std::string too_many_flashes(double area) {
 }
 
 void add_frame_rate_case(std::vector<Case>& list, const CheckSubject& subject) {
-    if (subject.stateful() || subject.reads(Builtin::frame))
+    const bool counts_frames = subject.reads(Builtin::frame) ||
+                               subject.reads(Builtin::frame_rate) ||
+                               subject.reads(Builtin::time_delta);
+    if (subject.stateful() || counts_frames)
         list.push_back({"frame rates", run_frame_rates,
                         subject.scene().tweaks.empty() ? Case::Tweaks::none : Case::Tweaks::all});
 }

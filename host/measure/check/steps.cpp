@@ -11,11 +11,17 @@
 #include <cmath>
 #include <random>
 #include <span>
+#include <utility>
 
 namespace glint {
 namespace {
 
-constexpr double kEarly = 0.25, kLater = 1.0;          // s, where states are compared
+// s, where states are compared: between the moments, such as whole seconds, at which scenes switch
+// something on, of which the first frame after it would be all that is seen. Long frames meet 60 Hz
+// at whole ones alone.
+constexpr double kEarly = 0.35, kLater = 28.0 / 30.0, kWhole = 1.0;
+// s, at which another rate goes on from 60 Hz, and how long.
+constexpr double kChanges[] = {kLater, kLater + 1.0, kLater + 2.0}, kChanged = 14.0 / 30.0;
 constexpr double kLidCatchUp = 0.25;                   // s, as in the window
 constexpr int kSteppedFrames = 64, kLeastStepped = 8;  // at each frame time
 // A step's own state may differ by rounding alone; pictures by what a rate may change, such as the
@@ -57,13 +63,16 @@ bool has_steps(const CheckSubject& subject) {
 
 // The states that every frame rate has to reach. False when a frame was not finite.
 bool play_at_60_hz(Check& check) {
-    if (check.later) return true;
+    if (check.whole) return true;
     CheckSubject& subject = check.subject;
-    const int early = static_cast<int>(kEarly * 60.0), later = static_cast<int>(kLater * 60.0);
-    if (!subject.play_frames(0, early + 1, 60.0)) return false;
-    check.early = state_of(subject);
-    if (!subject.play_frames(early + 1, later + 1, 60.0)) return false;
-    check.later = state_of(subject);
+    int first = 0;
+    for (auto [time, state] : {std::pair(kEarly, &check.early), std::pair(kLater, &check.later),
+                               std::pair(kWhole, &check.whole)}) {
+        const int end = static_cast<int>(std::lround(time * 60.0)) + 1;
+        if (!subject.play_frames(first, end, 60.0)) return false;
+        *state = state_of(subject);
+        first = end;
+    }
     subject.renderer().reset();
     return true;
 }
@@ -132,16 +141,16 @@ void compare_states(const State& now, const State& at_60_hz, double time, glm::i
     const Difference pictures = difference(now.picture, at_60_hz.picture);
     if (off > kMostStateOff) {
         result.fail(
-            fmt::format("after {} s the state of a step pass is {:.2g} of its largest value "
+            fmt::format("after {:.3g} s the state of a step pass is {:.2g} of its largest value "
                         "off what 60 Hz reaches",
                         time, off));
     } else if (tiles > kMostTilesOff) {
         result.fail(
-            fmt::format("after {} s the picture is off what 60 Hz shows: by {:.3f} in the "
+            fmt::format("after {:.3g} s the picture is off what 60 Hz shows: by {:.3f} in the "
                         "means of tiles, {:.1f} dB",
                         time, tiles, pictures.psnr));
     } else {
-        result.note = fmt::format("{:.1f} dB beside 60 Hz after {} s", pictures.psnr, time);
+        result.note = fmt::format("{:.1f} dB beside 60 Hz after {:.3g} s", pictures.psnr, time);
     }
 }
 
@@ -157,6 +166,36 @@ void judge_growth(const CheckSubject& subject, const State& at_60_hz, double sec
     }
 }
 
+// What begins later is seen from a state that both rates have: a screen's rate changes, and the
+// frames' numbers go on.
+void compare_after_changes(double fps, Check& check, CaseResult& result) {
+    CheckSubject& subject = check.subject;
+    const CaseClock clock(check);
+    const auto play = [&](double from, double rate, long first) {
+        const long frames = std::lround(kChanged * rate);
+        for (long k = 1; k <= frames; ++k) {
+            const double time = from + static_cast<double>(k) / rate;
+            if (!subject.draw(subject.frame_at(time, 1.0 / rate, first + k))) return false;
+        }
+        return true;
+    };
+    for (const double change : kChanges) {
+        const long first = std::lround(change * 60.0);
+        State at_60_hz;
+        for (const double rate : {60.0, fps}) {
+            subject.renderer().reset();
+            if (!subject.play_frames(0, static_cast<int>(first) + 1, 60.0)) return;
+            subject.still.reset();
+            if (!play(change, rate, first)) return;
+            if (rate == 60.0) at_60_hz = state_of(subject);
+        }
+        compare_states(state_of(subject), at_60_hz, change + kChanged, subject.preset.size, result);
+        if (result.verdict == CaseVerdict::fail)
+            return result.fail(fmt::format("{}; 60 Hz up to {:.3g} s", result.note, change));
+        if (clock.is_over(0.03)) return;
+    }
+}
+
 // Frames of one length: first to where states are compared, then on, to see what grows.
 void run_steps(const FrameTime& step, Check& check, CaseResult& result) {
     CheckSubject& subject = check.subject;
@@ -167,7 +206,7 @@ void run_steps(const FrameTime& step, Check& check, CaseResult& result) {
     if (!play_at_60_hz(check)) return;
     const bool lid = step.fps < 1.0;
     const bool is_compared = step.fps > 10.0 || (!lid && has_steps(subject));
-    const double met = step.fps > 500.0 ? kEarly : kLater;
+    const double met = step.fps > 500.0 ? kEarly : step.fps > 10.0 ? kLater : kWhole;
     const int last = lid ? 1 : static_cast<int>(std::lround(met * step.fps));
     const Playback endless{.end = 1e6, .fps = step.fps};
     const int frames = std::max(last, check.paced(kSteppedFrames, kLeastStepped));
@@ -178,11 +217,15 @@ void run_steps(const FrameTime& step, Check& check, CaseResult& result) {
         if (!lid) subject.still = StillPlace{k / step.fps, step.fps};
         if (!subject.draw(frame)) return;
         if (k != last || !is_compared) continue;
-        compare_states(state_of(subject), met == kEarly ? *check.early : *check.later, met,
-                       subject.preset.size, result);
+        const State& at_60_hz = met == kEarly   ? *check.early
+                                : met == kLater ? *check.later
+                                                : *check.whole;
+        compare_states(state_of(subject), at_60_hz, met, subject.preset.size, result);
         if (result.verdict == CaseVerdict::fail) return;
     }
     judge_growth(subject, *check.later, frames / step.fps, result);
+    if (step.fps == 240.0 && result.verdict != CaseVerdict::fail)
+        compare_after_changes(step.fps, check, result);
 }
 
 // Frames of any length, one after the other.

@@ -15,15 +15,18 @@
 namespace glint {
 namespace {
 
-constexpr double kNearFactor = 10.0;    // of the reference's own error: rows that are marked
-constexpr double kFitFactor = 3.0;      // beyond, the order is off by at most 5 % of an error
-constexpr double kRandomOrder = 0.75;   // below, an error is that of random samples
-constexpr double kLeastOrder = 0.3;     // below, where values go cannot be told
-constexpr double kNoOrder = 0.15;       // below, an error does not fall
-constexpr double kLeastFall = 0.05;     // an order that is told at all: below, nothing is known
-constexpr double kRefuted = 1.001;      // times what two references differ by: no nearer than that
-constexpr double kMostOrder = 4.0;      // that three pictures are believed to show
-constexpr double kClaim = 1.25;         // claims are known to a quarter
+constexpr double kNearFactor = 10.0;   // of the reference's own error: rows that are marked
+constexpr double kFitFactor = 3.0;     // beyond, the order is off by at most 5 % of an error
+constexpr double kRandomOrder = 0.75;  // below, an error is that of random samples
+constexpr double kLeastOrder = 0.3;    // below, where values go cannot be told
+constexpr double kNoOrder = 0.15;      // below, an error does not fall
+constexpr double kLeastFall = 0.05;    // an order that is told at all: below, nothing is known
+constexpr double kRefuted = 1.001;     // times what two references differ by: no nearer than that
+constexpr double kMostOrder = 4.0;     // that three pictures are believed to show
+constexpr double kClaim = 1.25;        // claims are known to a quarter
+// Where nothing is claimed, a sixteenth of what a display shows: two methods of thousands of
+// operations round by less, and none that is wrong comes so near.
+constexpr double kUnclaimed = 1.0 / 255 / 16;
 constexpr double kWideWork = 4.0;       // from the least to the most, to say so
 constexpr double kNoNearer = 0.5;       // of the rows' error, by which a reference is off
 constexpr double kSurely = 3.0;         // times what is expected
@@ -428,12 +431,17 @@ void compare_references(Study& study, const Knob& knob) {
         return;
     }
     const double claimed = study.own_error + rival.own_error;
-    rival.disagrees = rival.difference.rmse > std::max(kClaim * claimed, least_rmse(study));
+    const bool is_claimed = study.has_own_error();
+    const double least = is_claimed ? least_rmse(study) : kUnclaimed;
+    rival.disagrees = rival.difference.rmse > std::max(kClaim * claimed, least);
     if (!rival.disagrees) return;
-    study.findings.push_back(fmt::format(
-        "the references {} and {} differ by {}, more than both claim ({} and {}): one is wrong",
-        knob.reference.text, rival.value, three_digits(rival.difference.rmse),
-        three_digits(study.own_error), three_digits(rival.own_error)));
+    const std::string claims =
+        is_claimed ? fmt::format("more than both claim ({} and {})", three_digits(study.own_error),
+                                 three_digits(rival.own_error))
+                   : "and the own error of neither is known";
+    study.findings.push_back(fmt::format("the references {} and {} differ by {}, {}: one is wrong",
+                                         knob.reference.text, rival.value,
+                                         three_digits(rival.difference.rmse), claims));
 }
 
 void find_failed_rows(Study& study) {
