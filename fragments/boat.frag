@@ -1439,6 +1439,7 @@ void mainPoses(out vec4 colour, in vec2 pixel) {
     if (way.w < 0.5) {   // before the first step
         place = vec4(0.0, 0.0, radians(startHeading), 0.0);
         tilt = hullTarget(place.xy, place.z, 0.0);
+        tilt.z += sail ? 0.10 * sin(radians(windAngle) - place.z) : 0.0;
     }
     tilt = clamp(tilt, vec3(-20.0, -1.3, -1.3), vec3(20.0, 1.3, 1.3));
     vec3 level = vec3(sin(place.z), 0.0, -cos(place.z)), aside = vec3(level.z, 0.0, -level.x);

@@ -71,7 +71,7 @@ uniform int   reflections;     //@ 2 {off, screen-space, traced} quality referen
 uniform int   border;          //@ 0 {stretch, fade} "what a ray finds that leaves the picture"
 uniform int   reflectionSteps; //@ 35 [4, 1024] log quality reference=1024 "of a ray in the picture"
 uniform int   march;           //@ 0 {pyramid, steps} quality reference=1 second=pyramid "of rays to land"
-uniform int   marchSteps;      //@ 160 [8, 512] log quality reference=512 "most for one ray to land"
+uniform int   marchSteps;      //@ 160 [32, 512] log quality reference=512 "most for one ray to land"
 uniform int   bends;           //@ 3 [1, 8] quality reference=8 "faces that light in water meets"
 uniform int   shadowSamples;   //@ 3 [1, 64] log quality reference=64 "columns of the sun's disc"
 uniform int   glitterSamples;  //@ 16 [1, 64] log quality reference=64 "of the waves in one pixel"
@@ -1185,7 +1185,7 @@ vec3 throughLens(vec2 pixel) {
     vec4 here = texelFetch(picture, ivec2(pixel), 0);
     float radius = blurRadius(here.w);
     vec4 sum = vec4(here.rgb, 1.0);
-    if (radius < 0.5) return sum.rgb;
+    if (radius < 0.25) return sum.rgb;
     float lod = max(log2(1.6 * radius * inversesqrt(float(lensSamples))), 0.0);
     for (int k = 0; k < lensSamples; ++k) {
         float r = radius * sqrt((float(k) + 0.5) / float(lensSamples));
@@ -1196,7 +1196,7 @@ vec3 throughLens(vec2 pixel) {
         if (tap.w < here.w) own = min(own, radius);
         sum += vec4(tap.rgb, 1.0) * clamp(own - r + 1.0, 0.0, 1.0);
     }
-    return sum.rgb / sum.w;
+    return mix(here.rgb, sum.rgb / sum.w, smoothstep(0.25, 1.0, radius));
 }
 
 // What hides the bands of a smooth picture of 255 steps: half a step, up or down by chance. It is

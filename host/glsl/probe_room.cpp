@@ -82,7 +82,9 @@ ProbeRoom room_at(const Reading& reading, Span line, std::uint32_t f, bool is_no
         if (is_there && is_one && (chosen == kNone || statements[chosen].next <= i)) chosen = i;
         if (place.begin < line.begin && line.begin < place.end) around = i;
         if (next == kNone && place.begin >= line.end) next = i;
-        if (is_there && one.kind == StatementKind::block && place.end > line.end) opened = i;
+        const bool is_block = one.kind == StatementKind::block &&
+                              statements[one.parent].kind != StatementKind::switch_;
+        if (is_there && is_block && place.end > line.end) opened = i;
     }
     if (chosen == kNone && opened != kNone) return {statements[opened].tokens.begin, kNone};
     if (chosen == kNone && statements[around].kind != StatementKind::block) chosen = around;

@@ -146,9 +146,10 @@ bool is_of_constants(std::string_view why, std::string_view word) {
            word == "non-constant initializer";
 }
 
-// Of a function of GLSL's own by a variable; that of anything else the driver has refused already.
-bool is_of_builtin(std::string_view why) {
-    return why == "redefinition";
+// Of a function of GLSL's own by a variable, which browsers take; and what follows from another
+// complaint. Whatever else is so, the driver has refused already.
+bool is_refused_already(std::string_view why) {
+    return why == "redefinition" || why == "missing #endif";
 }
 
 // A text whose lines hold one name each, so that the line of a complaint tells which of several it
@@ -184,6 +185,7 @@ NameALine::NameALine(std::string_view whole) : begins{0} {
     bool line_begins = true;
     for (std::size_t at = 0; at < whole.size();) {
         const std::size_t end = std::max(end_of_other(whole, at, line_begins), at + 1);
+        const bool is_comment = whole.substr(at).starts_with("/*");
         const bool is_name =
             is_letter(whole[at]) && !std::isdigit(static_cast<unsigned char>(whole[at]));
         const bool goes_on = at == 0 || is_letter(whole[at - 1]) || whole[at - 1] == '.' ||
@@ -199,7 +201,7 @@ NameALine::NameALine(std::string_view whole) : begins{0} {
         }
         if (text.back() == '\n')
             line_begins = true;
-        else if (text.back() != ' ' && text.back() != '\t')
+        else if (text.back() != ' ' && text.back() != '\t' && !is_comment)
             line_begins = false;
     }
 }
@@ -246,7 +248,7 @@ std::optional<std::vector<PlacedFinding>> findings_of(const Preset& preset, std:
         std::from_chars(digits.data(), digits.data() + digits.size(), line);
         if (is_refused_by_it_alone(why)) return std::vector<PlacedFinding>();
         if (why.starts_with("compilation terminated") || line <= head_lines) continue;
-        if (is_of_constants(why, word) || is_of_builtin(why)) continue;
+        if (is_of_constants(why, word) || is_refused_already(why)) continue;
         const std::size_t at = edited.map.origin(
             lines.place_of(static_cast<std::size_t>(line - head_lines - 1), word, edited.text));
         findings.push_back(

@@ -10,14 +10,14 @@
 namespace glint {
 namespace {
 
-GLenum gl_format(PixelFormat format) {
-    switch (format) {
+GLenum gl_format(const BufferShape& shape) {
+    switch (shape.format) {
         case PixelFormat::r8:
-            return GL_R8;
+            return shape.fine_bytes ? GL_R16 : GL_R8;
         case PixelFormat::rg8:
-            return GL_RG8;
+            return shape.fine_bytes ? GL_RG16 : GL_RG8;
         case PixelFormat::rgba8:
-            return GL_RGBA8;
+            return shape.fine_bytes ? GL_RGBA16 : GL_RGBA8;
         case PixelFormat::r16f:
             return GL_R16F;
         case PixelFormat::rg16f:
@@ -72,7 +72,7 @@ Buffer::Buffer(const BufferShape& shape) : shape_(shape) {
 Buffer::Side Buffer::make_side() const {
     Side side;
     const int levels = shape_.mipmaps ? mipmap_levels(shape_.size) : 1;
-    const GLenum format = gl_format(shape_.format);
+    const GLenum format = gl_format(shape_);
     for (int i = 0; i < shape_.outputs; ++i) {
         side.textures.push_back(shape_.cube ? make_texture_cube(format, shape_.size.x, levels)
                                             : make_texture_2d(format, shape_.size, levels));

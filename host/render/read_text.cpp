@@ -391,11 +391,13 @@ std::size_t ReadText::named_on_line(std::size_t at, std::string_view words) cons
 
 // Where a condition goes wrong, of which a driver names the line's end.
 std::size_t ReadText::wrong_on_line(std::size_t at) const {
-    const std::string_view text = pass_.text;
-    const std::size_t hash = text.rfind('#', at);
-    if (hash == text.npos) return at;
-    const std::size_t wrong = wrong_in_condition(text.substr(hash, text.find('\n', at) - hash));
-    return wrong == text.npos ? at : hash + wrong;
+    for (const Directive& line : read_.directives) {
+        if (at < line.span.begin || line.span.end < at) continue;
+        const auto condition = std::span(read_.written).subspan(line.rest.begin, line.rest.size());
+        const Token* wrong = wrong_in_condition(condition, read_.macros);
+        if (wrong) return wrong->begin;
+    }
+    return at;
 }
 
 // A macro's operator behind one of its arguments, of which a driver names the first operand's

@@ -108,6 +108,7 @@ BufferShape Renderer::wanted_shape(const CompiledScene& scene, std::size_t index
     if (fills_a_buffer(wanted)) {
         shape = shape_of(preset_.scene.passes[wanted], options_.size,
                          scene.graph.passes[index].feedback);
+        shape.fine_bytes = options_.fine_bytes;
     }
     for (const PassProgram& reader : scene.programs) {
         for (const SamplerUniform& uniform : reader.samplers) {

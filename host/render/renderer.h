@@ -24,6 +24,7 @@ struct RenderOptions {
     // Passes that take long are drawn in strips, each waited for, so that no driver's watchdog sees
     // one long draw.
     bool in_strips = false;
+    bool fine_bytes = false;  // see BufferShape; what is saved of a state has bytes
 };
 
 // What later frames depend on in one pass.

@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <array>
-#include <deque>
 #include <regex>
 #include <utility>
 #include <vector>
@@ -452,16 +451,33 @@ std::string read_preprocessor_error(std::string words) {
                        ends ? kConditionBehind : "");
 }
 
-std::size_t wrong_in_condition(std::string_view directive) {
+namespace {
+
+// `12`, `0x1Fu`.
+bool is_whole_number(std::string_view number) {
+    static const std::regex whole("(0[xX][0-9a-fA-F]+|[0-9]+)[uU]?");
+    return std::regex_match(number.begin(), number.end(), whole);
+}
+
+// The bracket that closes this one; the last token where none does.
+std::size_t end_of_brackets(std::span<const Token> tokens, std::size_t at) {
+    int open = 0;
+    for (; at + 1 < tokens.size(); ++at) {
+        open += tokens[at].is("(") ? 1 : tokens[at].is(")") ? -1 : 0;
+        if (open == 0) break;
+    }
+    return at;
+}
+
+}  // namespace
+
+const Token* wrong_in_condition(std::span<const Token> condition, std::span<const Macro> macros) {
     constexpr std::string_view kBetween[] = {"||", "&&", "|",  "^",  "&", "==", "!=", "<", ">",
                                              "<=", ">=", "<<", ">>", "*", "/",  "%",  "+", "-"};
-    std::deque<std::string> spellings;
-    const ScannedText scanned = scan(directive, spellings);
     bool awaits_operand = true;
-    for (std::size_t i = 2; i < scanned.tokens.size(); ++i) {
-        const Token& token = scanned.tokens[i];
-        const bool is_whole =
-            token.kind == TokenKind::number && token.text.find('.') == token.text.npos;
+    for (std::size_t i = 0; i < condition.size(); ++i) {
+        const Token& token = condition[i];
+        const bool is_whole = token.kind == TokenKind::number && is_whole_number(token.text);
         const bool is_sign = token.is("+") || token.is("-");
         bool fits = false, ends_operand = false;
         if (token.is_word() || is_whole || token.is("(") || token.is("!") || token.is("~")) {
@@ -472,13 +488,18 @@ std::size_t wrong_in_condition(std::string_view directive) {
         } else {
             fits = is_sign || (!awaits_operand && is_one_of(token.text, kBetween));
         }
-        if (!fits) return token.begin;
+        if (!fits) return &token;
         awaits_operand = !ends_operand;
-        if (!token.is("defined")) continue;  // its brackets hold no expression
-        const bool is_bracketed = i + 1 < scanned.tokens.size() && scanned.tokens[i + 1].is("(");
-        i += is_bracketed ? 3 : 1;
+        // What stands in the brackets of these is no part of the expression.
+        const bool is_bracketed = i + 1 < condition.size() && condition[i + 1].is("(");
+        const bool takes_any = token.is("defined") ||
+                               std::ranges::find(macros, token.text, &Macro::name) != macros.end();
+        if (is_bracketed && takes_any)
+            i = end_of_brackets(condition, i + 1);
+        else if (token.is("defined"))
+            ++i;
     }
-    return directive.npos;
+    return nullptr;
 }
 
 }  // namespace glint

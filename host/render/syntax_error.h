@@ -1,7 +1,7 @@
 // What a driver means by "syntax error", in words for who wrote the text.
 #pragma once
 
-#include "glsl/token.h"
+#include "glsl/preprocess.h"
 
 #include <optional>
 #include <span>
@@ -37,8 +37,8 @@ std::string read_preprocessor_error(std::string complaint);
 inline constexpr std::string_view kNoCondition =
     "this is not expected here; behind #if stand whole numbers, names, operators and defined()";
 
-// The byte at which the expression of a line with #if or #elif goes wrong as it is written, without
-// a look at what macros stand for; npos where it does not.
-std::size_t wrong_in_condition(std::string_view directive);
+// Where the expression behind #if or #elif goes wrong as it is written, without a look at what
+// macros stand for; null where it does not.
+const Token* wrong_in_condition(std::span<const Token> condition, std::span<const Macro> macros);
 
 }  // namespace glint

@@ -25,6 +25,10 @@ inline std::vector<std::pair<std::string, std::string>> honest_scenes() {
              "* h) - y.x * w * sin(w * h), 0.0, 1.0);",
              "size=8x8 step=1/60", "uniform float k; //@ 4.0 [1, 40]\n")},
         {"sum_of_steps", fed("c = s + 0.001;", "size=8x8 step=1/60")},
+        {"counted_bytes",
+         fed("c = vec4(s.x <= 0.0 ? 1.0 : s.x - 5.0 / 255.0);", "size=8x8 format=rgba8 step=1/60")},
+        {"meter", image("c = vec4(q, 0.4, 1.0); if (q.y < 0.05 && q.x * 300.0 < 1.0 / "
+                        "max(iTimeDelta, 1e-3)) c = vec4(0.2, 0.9, 0.2, 1.0);")},
         {"full_bytes", fed("c = s + 0.02 * step(3.0, p.x);", "size=8x8 format=rgba8 step=1/60")},
         {"clock", fed("float h = iFrame == 0 ? 12.0 : s.x; h += iTimeDelta * 0.1; "
                       "c = vec4(h >= 24.0 ? h - 24.0 : h, 0.3, 0.0, 1.0);",
@@ -47,6 +51,8 @@ inline std::vector<std::pair<std::string, std::string>> honest_scenes() {
                             " c = vec4(vec3(0.1 + 0.8 * exp(-9.0 * abs(t - 4.0))), 1.0);")},
         {"daylight", image("c = vec4(q, 0.5 + 0.4 * sin(6.2831853 * iTime / 86400.0), 1.0);")},
         {"slower", image("c = vec4(q, 0.5 + 0.4 * sin(log(iTime + 1.0)), 1.0);")},
+        {"slower_by_the_root",
+         image("c = vec4(q, 0.5 + 0.4 * sin(sqrt(iTime) + 6.0 * q.x), 1.0);")},
         {"sunrise", "uniform float dawn; //@ 300 [100, 600]\n" +
                         image("c = vec4(q, smoothstep(0.0, dawn, iTime), 1.0);")},
         {"smoke", fed("c = s * 0.99 + vec4(exp(-dot(p - 4.0, p - 4.0)));", "size=8x8 step=1/60")},

@@ -307,11 +307,15 @@ TEST_F(InfoAndBench, InfoTellsWhatWebGlWouldRefuse) {
     EXPECT_EQ(names_of(json({"info", "macro.frag"})["findings"]),
               std::vector<std::string>{"macro.frag:6:9 webgl"});
     write("twice.frag",
+          "/* one */ #define K 2.0\n"
+          "/* two\n"
+          "*/ #if 1\n"
           "void mainImage(out vec4 c, in vec2 p) {\n"
           "    int n; switch (3) { case 3: n = 2; } /* switch\n"
-          "    */ switch (n) { case 2: n = 9; break; default: ; }\n    c = vec4(n); }\n");
+          "    */ switch (n) { case 2: n = 9; break; default: ; }\n    c = vec4(n) * K; }\n"
+          "/* three */ #endif\n");
     EXPECT_EQ(names_of(json({"info", "twice.frag"})["findings"]),
-              std::vector<std::string>{"twice.frag:3:8 webgl"});
+              std::vector<std::string>{"twice.frag:6:8 webgl"});
     write("taken.frag",
           "const float k = determinant(inverse(mat2(1)));\nuniform sampler2D mine;;\n"
           "mat2 mix(mat2 a, mat2 b, float t) { return a + t * (b - a); } "

@@ -163,6 +163,10 @@ TEST_F(ProbeVerb, AsksWhereABlockBegins) {
           "            break;\n"
           "        }\n"
           "    }\n"
+          "    switch (int(x))\n"
+          "    {\n"
+          "        case 5: x = 5.0;\n"
+          "    }\n"
           "    do\n"
           "    { x += 1.0;\n"
           "    }\n"
@@ -176,7 +180,8 @@ TEST_F(ProbeVerb, AsksWhereABlockBegins) {
     };
     EXPECT_EQ(told(3), Json({1.0}));
     EXPECT_EQ(told(7), Json({3.0}));
-    EXPECT_EQ(told(15), Json({6.0, 7.0}));
+    EXPECT_EQ(told(13), Json({5.0})) << "a switch has no place at its head";
+    EXPECT_EQ(told(19), Json({6.0, 7.0}));
 }
 
 TEST_F(ProbeVerb, OfAMacrosAssignmentsTellsThatWhichIsNamed) {

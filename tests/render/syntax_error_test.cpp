@@ -261,11 +261,18 @@ TEST_F(SyntaxErrors, TellOfThePreprocessorsLines) {
     EXPECT_EQ(first_complaint("#if 1.5 > 1\n#endif\n" + in_image("")),
               "1:5: this is not expected here; behind #if stand whole numbers, names, operators "
               "and defined()");
-    for (const auto& [condition, column] : std::initializer_list<std::pair<const char*, int>>{
-             {"A ? 1 : 0", 7}, {"defined(A) = A", 16}, {"-1 - !A 2", 13}, {"(A && \"b\")", 11}})
-        EXPECT_TRUE(
-            first_complaint(fmt::format("#define A 1\n#if {}\n#endif\n", condition) + in_image(""))
-                .starts_with(fmt::format("2:{}: this is not", column)))
+    for (const auto& [condition, column] :
+         std::initializer_list<std::pair<const char*, int>>{{"A ? 1 : 0", 7},
+                                                            {"defined(A) = A", 16},
+                                                            {"-1 - !A 2", 13},
+                                                            {"(A && \"b\")", 11},
+                                                            {"A == 1.0 // #", 10},
+                                                            {"F(1) == 1.0", 13},
+                                                            {"1e5 > A", 5}})
+        EXPECT_TRUE(first_complaint(
+                        fmt::format("#define A 1\n#define F(x) x\n#if {}\n#endif\n", condition) +
+                        in_image(""))
+                        .starts_with(fmt::format("3:{}: this is not", column)))
             << condition;
 }
 

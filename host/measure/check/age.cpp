@@ -219,18 +219,21 @@ void judge_motion(const Motion& young, const Motion& old, CaseResult& result) {
 }
 
 // Whether the change a frame, which falls as a power of time while a float clock has all digits of
-// a frame, has become too small to be lost.
-bool has_slowed_down(const Check& check, const Age& age, double float_step) {
-    constexpr double kHour = 3600.0;  // s
+// a frame, has become so small that a step of that clock shows nothing.
+bool has_slowed_down(const Check& check, const Age& age, const Motion& young, double float_step) {
+    constexpr double kMinute = 60.0, kHour = 3600.0;  // s
+    constexpr double kLeastPower = 0.4;               // beyond what chance makes of two ages
     double at_ten_minutes = 0.0, at_the_hour = 0.0;
     for (const double later : kOtherMoments) {
         at_ten_minutes = std::max(at_ten_minutes, motion_at(check, kSettled + later).mean);
         at_the_hour = std::max(at_the_hour, motion_at(check, kHour + later).mean);
     }
-    if (at_the_hour == 0.0 || at_the_hour >= at_ten_minutes) return false;
-    const double power = std::log(at_ten_minutes / at_the_hour) / std::log(kHour / kSettled);
+    if (at_the_hour == 0.0) return false;
+    const double power =
+        std::min(std::log(young.mean / at_ten_minutes) / std::log(kSettled / kMinute),
+                 std::log(at_ten_minutes / at_the_hour) / std::log(kHour / kSettled));
     const double now = at_the_hour * std::pow(kHour / std::max(age.seconds, kHour), power);
-    return now < kHardly && now * 60.0 * float_step < kSeen;
+    return power > kLeastPower && now * 60.0 * float_step < kSeen;
 }
 
 void judge_age(const Age& age, Check& check, const Motion& young, CaseResult& result) {
@@ -272,7 +275,7 @@ void judge_age(const Age& age, Check& check, const Motion& young, CaseResult& re
         if (again.verdict != CaseVerdict::fail) judged = std::move(again);
     }
     if (judged.verdict == CaseVerdict::fail && !subject.stateful()) {
-        if (has_slowed_down(check, age, float_step))
+        if (has_slowed_down(check, age, young, float_step))
             judged = {.name = result.name, .note = "hardly moves any more"};
         else
             motion_at(check, age.seconds);  // which is shown

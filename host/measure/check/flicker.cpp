@@ -252,6 +252,18 @@ void compare_rates(const Rates& shown, double met, CaseResult& result) {
                         met, fine, coarse, frame));
 }
 
+// Whether rates differ by the same at all moments: what tells the rate, such as a meter of frames
+// a second.
+bool is_a_meter(const std::vector<Rates>& shown) {
+    for (const Rates& later : shown)
+        for (std::size_t i = 0; i < later[0].last.size(); ++i) {
+            const auto apart = [i](const Rates& at) { return at[2].last[i] - at[1].last[i]; };
+            if (std::abs(apart(later) - apart(shown.front())) > static_cast<float>(kClear))
+                return false;
+        }
+    return true;
+}
+
 // Leaves the subject where a still of what was found has it.
 void show_again(CheckSubject& subject, double met) {
     subject.renderer().reset();
@@ -289,7 +301,11 @@ void run_frame_rates(Check& check, CaseResult& result) {
         if (first.empty() && subject.stateful() && check.pace == 1.0)
             moments.assign(kFading.begin(), kFading.end());
         if (!subject.stateful()) moments.assign(kStateless.begin(), kStateless.end());
-        const std::vector<Rates> shown = show_at_rates(subject, moments);
+        std::vector<Rates> shown = show_at_rates(subject, moments);
+        if (!subject.stateful() && !subject.reads(Builtin::frame) && is_a_meter(shown)) {
+            if (first.empty()) first = "rates differ by the same at all moments, or not at all";
+            shown.clear();
+        }
         for (std::size_t i = 0; i < shown.size() && result.verdict != CaseVerdict::fail; ++i) {
             if (moments[i] <= kMet || !subject.stateful())
                 compare_rates(shown[i], moments[i], result);

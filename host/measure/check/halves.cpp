@@ -88,15 +88,17 @@ void run_halves(Check& check, CaseResult& result) {
     std::vector<std::size_t> buffers;
     for (std::size_t i = 0; i < subject.renderer().graph().passes.size(); ++i)
         if (is_fed_back_in_few_bits(subject, i)) buffers.push_back(i);
+    const bool any_halves = std::ranges::any_of(
+        buffers, [&](std::size_t index) { return bytes_of(subject, index) == 2; });
+    const char* finer = any_halves ? "floats of 32 bits" : "16 bits a channel";
     int in_a_row = 0;
     for (int end = kHalvesApart; end <= kHalvesPlayed && !clock.is_over(kHalvesShare);
          end += kHalvesApart) {
         if (!wide.play_frames(end - kHalvesApart, end, 60.0)) return;  // which other cases tell of
         if (!subject.play_frames(end - kHalvesApart, end, 60.0)) return;
         const Off found = off(subject, wide, buffers);
-        result.note =
-            fmt::format("{:.1f} dB beside floats of 32 bits after {} s, the buffers {:.2g} % off",
-                        found.psnr, end / 60, 100.0 * found.state);
+        result.note = fmt::format("{:.1f} dB beside {} after {} s, the buffers {:.2g} % off",
+                                  found.psnr, finer, end / 60, 100.0 * found.state);
         in_a_row = found.psnr < kHalvesPsnr && found.state > kHalvesState ? in_a_row + 1 : 0;
         if (in_a_row < kLooksInARow) continue;
         const std::vector<float> kept = state_of(wide, buffers);

@@ -1,7 +1,6 @@
 // What 16-bit floats cannot hold. llvmpipe keeps their largest number instead, and the picture may
 // look right; other drivers keep Inf, from which NaN comes.
 #include "measure/check/case.h"
-#include "measure/check/poison.h"
 
 #include <fmt/format.h>
 
@@ -32,15 +31,6 @@ float largest_given(CheckSubject& wide, const Playback& playback, std::string_vi
     return largest;
 }
 
-// Bytes hold what lies in 0 to 1; of the steps within a frame only the last is seen to.
-void hold_as_bytes(const CheckSubject& wide, const CheckSubject& subject) {
-    const auto& passes = wide.renderer().graph().passes;
-    for (std::size_t i = 0; i < passes.size(); ++i)
-        if (passes[i].pass != kImagePass &&
-            bytes_a_channel(subject.scene().passes[passes[i].pass].format) == 1)
-            change_values(wide, i, [](float value) { return std::clamp(value, 0.0f, 1.0f); });
-}
-
 }  // namespace
 
 CheckSubject& wide_of(Check& check) {
@@ -49,10 +39,7 @@ CheckSubject& wide_of(Check& check) {
         check.wide = std::make_unique<CheckSubject>(
             subject.view(), subject.opened(), subject.context(),
             SubjectOptions{.float_bytes = 4, .specialise = subject.specialised()});
-        check.wide->after_frame = [&wide = *check.wide, &subject] {
-            hold_as_bytes(wide, subject);
-            if (subject.after_frame) subject.after_frame();
-        };
+        check.wide->after_frame = subject.after_frame;
     }
     CheckSubject& wide = *check.wide;
     wide.restore();

@@ -34,8 +34,7 @@ CheckSubject::CheckSubject(const ViewOptions& view, const Preset& opened, Contex
       picture_alone_(options.marked && options.marked->outputs),
       context_(context) {
     for (Pass& pass : preset.scene.passes) {
-        const bool is_of_floats = bytes_a_channel(pass.format) != 1;
-        if (options.float_bytes == 4 || (options.float_bytes != 0 && is_of_floats))
+        if (options.float_bytes != 0 && bytes_a_channel(pass.format) != 1)
             pass.format = with_channel_bytes(pass.format, options.float_bytes);
     }
     CompiledScene compiled = compile_or_stop(
@@ -45,7 +44,9 @@ CheckSubject::CheckSubject(const ViewOptions& view, const Preset& opened, Contex
         for (const BuiltinUniform& uniform : compiled.programs[pass].builtins)
             builtins_.emplace_back(uniform.builtin, pass);
     renderer_.emplace(preset, std::move(compiled),
-                      RenderOptions{.size = preset.size, .picture_format = PixelFormat::rgba32f});
+                      RenderOptions{.size = preset.size,
+                                    .picture_format = PixelFormat::rgba32f,
+                                    .fine_bytes = options.float_bytes == 4});
     load_inputs(preset, *renderer_);
     renderer_->compile_ahead();
     looked_at_.resize(renderer_->graph().passes.size());

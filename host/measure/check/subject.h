@@ -39,8 +39,8 @@ struct StillPlace {
 };
 
 struct SubjectOptions {
-    int float_bytes =
-        0;  // of the floats in buffers, 2, or 4, which bytes get too; 0: as the scene says
+    // Of the floats in buffers, 2, or 4, where bytes are fine ones; 0: as the scene says.
+    int float_bytes = 0;
     // Tweaks written in as constants, as a still draws them, and passes left out that they switch
     // off; the preset's values cannot be changed then.
     bool specialise = true;

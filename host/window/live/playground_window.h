@@ -294,7 +294,7 @@ private:
     std::optional<Overwriting> overwriting_;  // the question is whether to
     std::optional<Leaving> leaving_;          // once a person has said what becomes of the unsaved
     std::optional<UnsavedLook> offer_;        // the unsaved work of the last run
-    std::size_t restored_ = 0;                // of such works, of this file
+    std::vector<TweakSet> restored_;          // the sets that have such work, of this file
     // What the state folder holds, and since when.
     struct Kept {
         std::vector<TweakValue> values, written;  // here, in the file

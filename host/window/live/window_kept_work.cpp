@@ -146,8 +146,7 @@ void PlaygroundWindow::keep_at_end() {
 // The set that has it once it is restored: what was restored before stays, for of the last run's
 // two sets this is the other one.
 TweakSet PlaygroundWindow::offered_set() const {
-    const TweakSet shown = playground_.tweaks.shown();
-    return restored_ > 0 ? other_set(shown) : shown;
+    return restored_.empty() ? playground_.tweaks.shown() : other_set(restored_.front());
 }
 
 // The work that is offered, as a look of the text on the screen, which may change meanwhile: laid
@@ -191,7 +190,7 @@ bool PlaygroundWindow::says_what_stands(const Preset& look) const {
 // both sets have some already, the next start offers it.
 void PlaygroundWindow::find_unsaved() {
     offer_.reset();
-    if (restored_ == std::size(kTweakSets)) return;
+    if (restored_.size() == kTweakSets.size()) return;
     while ((offer_ = unsaved_work_.find(place_))) {
         const ReadPreset read = read_offer();
         if (read.preset && !says_what_stands(*read.preset)) return;
@@ -210,7 +209,7 @@ void PlaygroundWindow::restore() {
     const ReadPreset read = read_offer();
     if (!read.preset) return;
     playground_.tweaks.show(offered_set());
-    ++restored_;
+    restored_.push_back(playground_.tweaks.shown());
     if (!same(read.preset->events, playground_.as_written()->events))
         recorded_ = read.preset->events;
     const std::vector<std::string> mine = channel_texts(*playground_.preset());

@@ -213,7 +213,7 @@ void PlaygroundWindow::open(const fs::path& file) {
     probe_.stop();
     overwriting_.reset();
     unsaved_work_.leave_found();
-    restored_ = 0;
+    restored_.clear();
     offer_.reset();
     study_.clear();
     check_.clear();
