@@ -8,6 +8,7 @@
 #include <cmath>
 #include <complex>
 #include <cstdint>
+#include <utility>
 
 namespace glint::boat_test {
 namespace {
@@ -477,6 +478,19 @@ TEST_F(BoatScene, FogHidesTheSkyAsWellAsTheSea) {
     for (const glm::vec4& sky :
          texels(scene_text(), "[tweaks]\nvisibility = 60.0\n", 0.0, {8, 8}, "sky"))
         EXPECT_LT(sky.w, 0.1f) << "nor does one see the sun's disc";
+}
+
+// Before her first step she lies as that begins: heeled, where the sail is set.
+TEST_F(BoatScene, TheFirstFrameIsNoLeap) {
+    Player player(scene_text(), {.size = {32, 18}, .pass = "poses"});
+    std::vector<glm::vec4> before, now;
+    for (int k = 0; k < 2; ++k) {
+        player.draw(k);
+        before = std::exchange(now, pixels_of(player));
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        for (glm::length_t i = 0; i < 3; ++i)
+            EXPECT_NEAR(before[axis][i], now[axis][i], 0.01) << axis << ", it was 0.077";
 }
 
 // A drag over a quarter of the picture, to the right of its middle, is a quarter turn back.

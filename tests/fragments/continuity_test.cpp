@@ -147,6 +147,22 @@ TEST_F(Continuity, SeasCloudsSlideOnWhereTheirCycleEnds) {
         EXPECT_LT(leap(sea, end - 0.005, end + 0.012), 1.8) << end;
 }
 
+// A blur of half a pixel, here at 0.0093, set in at once: half of all that changed.
+TEST_F(Continuity, TerrainsBlurBeginsByDegrees) {
+    Scene terrain("terrain", {96, 54});
+    const auto blurred = [&](double tilt_shift) {
+        terrain.set("tiltShift", tilt_shift);
+        return terrain.at(0.0);
+    };
+    const auto change = [](const std::vector<float>& a, const std::vector<float>& b) {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < a.size(); ++i) sum += std::abs(a[i] - b[i]);
+        return sum;
+    };
+    const double all = change(blurred(0.004), blurred(0.02));
+    EXPECT_LT(change(blurred(0.009), blurred(0.0095)), 0.1 * all);
+}
+
 // All streaks were other ones each second.
 TEST_F(Continuity, BoatsRainFallsOnWhereItsCyclesEnd) {
     Scene boat("boat", {160, 90});
