@@ -99,8 +99,8 @@ ProbeRoom room_at(const Reading& reading, Span line, std::uint32_t f, bool is_no
         return {kNone, chosen, true};
     if (is_loop(kind) && statements[chosen + 1].kind == StatementKind::block) {
         const TokenRange body = statements[chosen + 1].tokens;
-        const bool is_at_end =
-            reading.place(body).end <= line.begin;  // of a do, in the line of its while
+        // In the line of a do's `while`.
+        const bool is_at_end = reading.place(body).end <= line.begin;
         return {is_at_end ? body.end - 1 : body.begin, kNone};
     }
     if (is_loop(kind)) return {kNone, chosen + 1};

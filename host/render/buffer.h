@@ -18,8 +18,8 @@ struct BufferShape {
     bool cube = false;
     bool feedback = false;  // keeps the previous frame beside the one that is drawn
     bool mipmaps = false;
-    bool fine_bytes =
-        false;  // of 16 bits, which hold what bytes do, and 256 steps from each to the next
+    // Bytes have 16 bits, which hold what 8 do, and 256 steps from each to the next.
+    bool fine_bytes = false;
     bool operator==(const BufferShape&) const = default;
 };
 
