@@ -1299,6 +1299,9 @@ vec4 floated(vec4 own, int which, bool fresh, vec2 was, vec2 now, float heading,
 }
 float key(int code) { return step(0.5, texelFetch(keys, ivec2(code, 0), 0).x); }
 
+// What the wind in her sail adds to her roll.
+float heel(float heading) { return sail ? 0.10 * sin(radians(windAngle) - heading) : 0.0; }
+
 // 0: place, heading (to the right), speed. 1: turning, rudder, what the camera lags, 1 once there
 // is a state. 2 to 4: heave, pitch (bow up), roll (port up), each with its speed and two targets.
 void mainBoat(out vec4 colour, in vec2 pixel) {
@@ -1332,8 +1335,7 @@ void mainBoat(out vec4 colour, in vec2 pixel) {
         colour = vec4(steer + (turning - steer) * keep, mix(helm, way.y, exp(-5.0 * dt)), lag, 1.0);
         return;
     }
-    float wind = radians(windAngle) - heading, lean = sail ? 0.10 * sin(wind) : 0.0;
-    vec3 aside = vec3(0.0, 0.016 * speed, lean + 0.05 * speed * turning);
+    vec3 aside = vec3(0.0, 0.016 * speed, heel(heading) + 0.05 * speed * turning);
     colour = floated(own, k - 2, fresh, place.xy, now, heading, aside);
 }
 
@@ -1439,7 +1441,7 @@ void mainPoses(out vec4 colour, in vec2 pixel) {
     if (way.w < 0.5) {   // before the first step
         place = vec4(0.0, 0.0, radians(startHeading), 0.0);
         tilt = hullTarget(place.xy, place.z, 0.0);
-        tilt.z += sail ? 0.10 * sin(radians(windAngle) - place.z) : 0.0;
+        tilt.z += heel(place.z);
     }
     tilt = clamp(tilt, vec3(-20.0, -1.3, -1.3), vec3(20.0, 1.3, 1.3));
     vec3 level = vec3(sin(place.z), 0.0, -cos(place.z)), aside = vec3(level.z, 0.0, -level.x);

@@ -7,6 +7,7 @@
 #include "base/words.h"
 #include "base/workers.h"
 #include "glsl/finding.h"
+#include "glsl/token.h"
 #include "offline/site_text.h"
 #include "render/compile_watch.h"
 #include "render/driver_log.h"
@@ -24,6 +25,7 @@
 #include <cctype>
 #include <cerrno>
 #include <charconv>
+#include <deque>
 #include <optional>
 #include <regex>
 #include <set>
@@ -154,77 +156,64 @@ bool is_refused_already(std::string_view why) {
 
 // A text whose lines hold one name each, so that the line of a complaint tells which of several it
 // means.
-struct NameALine {
-    std::string text;
-    std::vector<std::size_t> begins;  // of each line, in the text as it was
-
+class NameALine {
+public:
+    // `whole` must outlive this.
     explicit NameALine(std::string_view whole);
 
+    const std::string& text() const { return text_; }
     // The byte of the text as it was at which a word stands, in a line or before it in the line as
     // it was; or else what stands first there.
-    std::size_t place_of(std::size_t line, std::string_view word, std::string_view whole) const;
+    std::size_t place_of(std::size_t line, std::string_view word) const;
+
+private:
+    std::string_view whole_;
+    std::string text_;
+    std::vector<std::size_t> begins_ = {0};  // of each line, in the text as it was
 };
 
-bool is_letter(char c) {
-    return c == '_' || std::isalnum(static_cast<unsigned char>(c));
-}
-
-// Where what is no code ends: a comment, or a directive.
-std::size_t end_of_other(std::string_view whole, std::size_t at, bool line_begins) {
-    if (whole.substr(at).starts_with("/*")) {
-        const std::size_t end = whole.find("*/", at + 2);
-        return end == whole.npos ? whole.size() : end + 2;
-    }
-    if (!whole.substr(at).starts_with("//") && !(line_begins && whole[at] == '#')) return at;
-    std::size_t end = whole.find('\n', at);
-    while (end != whole.npos && whole[end - 1] == '\\') end = whole.find('\n', end + 1);
-    return std::min(whole.size(), end);
-}
-
-NameALine::NameALine(std::string_view whole) : begins{0} {
-    bool line_begins = true;
-    for (std::size_t at = 0; at < whole.size();) {
-        const std::size_t end = std::max(end_of_other(whole, at, line_begins), at + 1);
-        const bool is_comment = whole.substr(at).starts_with("/*");
-        const bool is_name =
-            is_letter(whole[at]) && !std::isdigit(static_cast<unsigned char>(whole[at]));
-        const bool goes_on = at == 0 || is_letter(whole[at - 1]) || whole[at - 1] == '.' ||
-                             (at > 1 && whole.substr(at - 2, 2) == "\\\n");
-        if (is_name && !goes_on) {
-            text += '\n';
-            begins.push_back(at);
+NameALine::NameALine(std::string_view whole) : whole_(whole) {
+    std::deque<std::string> spellings;
+    const ScannedText scanned = scan(whole, spellings);
+    std::vector<bool> is_of_directive(scanned.tokens.size());
+    for (const DirectiveLine& line : scanned.directives)
+        for (std::uint32_t i = line.tokens.begin; i < line.tokens.end; ++i)
+            is_of_directive[i] = true;
+    std::vector<bool> breaks(whole.size());
+    for (std::size_t i = 0; i < scanned.tokens.size(); ++i)
+        if (scanned.tokens[i].is_word() && !is_of_directive[i])
+            breaks[scanned.tokens[i].begin] = true;
+    for (std::size_t at = 0; at < whole.size(); ++at) {
+        if (breaks[at]) {
+            text_ += '\n';
+            begins_.push_back(at);
         }
-        for (const char c : whole.substr(at, end - at)) {
-            text += c;
-            ++at;
-            if (c == '\n') begins.push_back(at);
-        }
-        if (text.back() == '\n')
-            line_begins = true;
-        else if (text.back() != ' ' && text.back() != '\t' && !is_comment)
-            line_begins = false;
+        text_ += whole[at];
+        if (whole[at] == '\n') begins_.push_back(at + 1);
     }
 }
 
-bool stands_whole(std::string_view words, std::size_t at, std::string_view word) {
-    const std::size_t behind = at + word.size();
-    return !is_letter(word.front()) || ((at == 0 || !is_letter(words[at - 1])) &&
-                                        (behind == words.size() || !is_letter(words[behind])));
+// Where a name, or a sign, stands last.
+std::size_t last_of(std::string_view words, std::string_view word) {
+    const bool is_name =
+        !word.empty() && (word[0] == '_' || std::isalnum(static_cast<unsigned char>(word[0])));
+    if (!is_name) return word.empty() ? words.npos : words.rfind(word);
+    std::size_t last = words.npos;
+    for (std::size_t at = 0; (at = find_whole_word(words, word, at)) != words.npos; ++at) last = at;
+    return last;
 }
 
-std::size_t NameALine::place_of(std::size_t line, std::string_view word,
-                                std::string_view whole) const {
-    if (line >= begins.size()) return whole.size();
-    const std::size_t begin = begins[line];
-    const std::size_t end = line + 1 < begins.size() ? begins[line + 1] : whole.size();
-    const std::size_t line_end = begin == 0 ? whole.npos : whole.rfind('\n', begin - 1);
-    const std::size_t line_begin = line_end == whole.npos ? 0 : line_end + 1;
-    const std::string_view words = whole.substr(line_begin, end - line_begin);
+std::size_t NameALine::place_of(std::size_t line, std::string_view word) const {
+    if (line >= begins_.size()) return whole_.size();
+    const std::size_t begin = begins_[line];
+    const std::size_t end = line + 1 < begins_.size() ? begins_[line + 1] : whole_.size();
+    const std::size_t line_end = begin == 0 ? whole_.npos : whole_.rfind('\n', begin - 1);
+    const std::size_t line_begin = line_end == whole_.npos ? 0 : line_end + 1;
+    const std::string_view words = whole_.substr(line_begin, end - line_begin);
     // A call is complained of at its end.
-    for (std::size_t at = word.empty() ? words.npos : words.rfind(word); at < words.size();
-         at = at == 0 ? words.npos : words.rfind(word, at - 1))
-        if (stands_whole(words, at, word)) return line_begin + at;
-    return line_begin + std::min(words.find_first_not_of(" \t"), words.size());
+    const std::size_t at = last_of(words, word);
+    return line_begin +
+           std::min(at == words.npos ? words.find_first_not_of(" \t") : at, words.size());
 }
 
 std::optional<std::vector<PlacedFinding>> findings_of(const Preset& preset, std::size_t pass) {
@@ -235,7 +224,7 @@ std::optional<std::vector<PlacedFinding>> findings_of(const Preset& preset, std:
     rename_overloads(reading, edits);
     const EditedText edited = edits.apply();
     const NameALine lines(edited.text);
-    const auto log = log_of(head + lines.text + std::string(kBehind));
+    const auto log = log_of(head + lines.text() + std::string(kBehind));
     if (!log) return std::nullopt;
     static const std::regex error(R"(ERROR: [^:]*:(\d+): '(.*)' : (.*))");
     const int head_lines = static_cast<int>(std::ranges::count(head, '\n'));
@@ -250,7 +239,7 @@ std::optional<std::vector<PlacedFinding>> findings_of(const Preset& preset, std:
         if (why.starts_with("compilation terminated") || line <= head_lines) continue;
         if (is_of_constants(why, word) || is_refused_already(why)) continue;
         const std::size_t at = edited.map.origin(
-            lines.place_of(static_cast<std::size_t>(line - head_lines - 1), word, edited.text));
+            lines.place_of(static_cast<std::size_t>(line - head_lines - 1), word));
         findings.push_back(
             {std::string(kWebGl),
              preset.scene.place_at(site.origin(std::min(at, site.text.size() - 1))),
