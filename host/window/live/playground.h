@@ -258,6 +258,8 @@ private:
     void load_missing_inputs();
     void follow_inputs();
     void take_input(InputLoader::Loaded loaded);
+    void input_failed(InputLoader::Loaded loaded);
+    void forget_failure(const Sampler& sampler);
     void tell_failed_inputs(ReadPreset& read) const;
     void send_arriving();
     bool send_slice();

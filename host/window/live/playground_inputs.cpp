@@ -59,18 +59,9 @@ std::optional<std::size_t> Playground::index_of(const Sampler& sampler) const {
 void Playground::take_input(InputLoader::Loaded loaded) {
     const std::optional<std::size_t> index = index_of(loaded.sampler);
     if (!index) return;
-    std::erase_if(failed_inputs_, [&](const InputLoader::Loaded& failed) {
-        return same_input(failed.sampler, loaded.sampler);
-    });
-    const Place& place = sampler_at(*preset_, *index).place;
-    reloader_.forget_missing_file(place);
-    const ReloadReport report = report_of(loaded);
+    forget_failure(loaded.sampler);
+    if (!loaded.input) return input_failed(std::move(loaded));
     try {
-        if (!loaded.input) {
-            const std::string error = loaded.error;
-            failed_inputs_.push_back(std::move(loaded));
-            throw std::runtime_error(error);
-        }
         const bool is_large = loaded.sampler.type == SamplerType::sampler2D &&
                               loaded.input->bytes.size() > kLargePicture;
         if (is_large) {
@@ -82,14 +73,32 @@ void Playground::take_input(InputLoader::Loaded loaded) {
             give_input(std::move(*loaded.input), *renderer_, *index);
             forget_states();
             touched_ = true;
-            reloader_.input_arrived(report);
+            reloader_.input_arrived(report_of(loaded));
             context_.finish();
         }
     } catch (const ContextLost&) {
         throw;
     } catch (const std::runtime_error& error) {
-        reloader_.input_failed(report, {Severity::error, place, error.what(), true});
+        loaded.error = error.what();
+        input_failed(std::move(loaded));
     }
+}
+
+// Of a sampler that the text still names.
+void Playground::input_failed(InputLoader::Loaded loaded) {
+    const Place& place = sampler_at(*preset_, *index_of(loaded.sampler)).place;
+    reloader_.input_failed(report_of(loaded), {Severity::error, place, loaded.error, true});
+    loaded.input.reset();
+    failed_inputs_.push_back(std::move(loaded));
+}
+
+// Told of the text in place or of the one that is tried: of an older one its place may have moved.
+void Playground::forget_failure(const Sampler& sampler) {
+    std::erase_if(failed_inputs_, [&](const InputLoader::Loaded& failed) {
+        const bool is_it = same_input(failed.sampler, sampler);
+        if (is_it) reloader_.forget_missing_file(failed.error);
+        return is_it;
+    });
 }
 
 // Another text does not read them anew where the picture has what they were.
@@ -143,11 +152,9 @@ void Playground::show_arrived() {
 
 // The driver has no memory for it: the picture goes on without.
 void Playground::drop_arriving(const std::string& why) {
-    const InputLoader::Loaded& loaded = arriving_.front().loaded;
-    if (const std::optional<std::size_t> index = index_of(loaded.sampler)) {
-        const Place& place = sampler_at(*preset_, *index).place;
-        reloader_.input_failed(report_of(loaded), {Severity::error, place, why, true});
-    }
+    InputLoader::Loaded& loaded = arriving_.front().loaded;
+    loaded.error = why;
+    if (index_of(loaded.sampler)) input_failed(std::move(loaded));
     arriving_.pop_front();
 }
 

@@ -194,10 +194,9 @@ void Reloader::drawn(double frame_ms) {
     finish(std::move(report));
 }
 
-void Reloader::forget_missing_file(const Place& place) {
-    std::erase_if(diagnostics_, [&](const Diagnostic& d) {
-        return d.missing_file && d.place.file == place.file && d.place.line == place.line;
-    });
+void Reloader::forget_missing_file(const std::string& why) {
+    std::erase_if(diagnostics_,
+                  [&](const Diagnostic& d) { return d.missing_file && d.text == why; });
 }
 
 void Reloader::forget_slowness() {

@@ -119,8 +119,8 @@ public:
 
     // Adds to what is told of the newest text.
     void tell(const Diagnostic& diagnostic) { diagnostics_.push_back(diagnostic); }
-    // A file is there that the text names at this place: what was told of its absence is over.
-    void forget_missing_file(const Place& place);
+    // A file is there of which this was told, wherever the newest text names it.
+    void forget_missing_file(const std::string& why);
     // Frames are not as slow as was warned of.
     void forget_slowness();
 

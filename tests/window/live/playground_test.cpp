@@ -2,6 +2,9 @@
 #include "window/live/playground.h"
 
 #include "../../render/fixture.h"
+#include "base/words.h"
+
+#include <fmt/format.h>
 
 #include <thread>
 
@@ -88,6 +91,43 @@ TEST_F(LargePicture, ThatTheDriverRefusesOnItsWayIsLeftOut) {
     EXPECT_TRUE(is_told()) << to_text(playground_->diagnostics());
     EXPECT_FALSE(playground_->is_loading());
     take_complaint();
+}
+
+// The trial has that much to do that a small file is read meanwhile.
+std::string slow_to_compile(std::string text) {
+    std::string numbers = "0.0";
+    for (int i = 1; i < 2000; ++i) numbers += fmt::format(", {}.0", i);
+    replace_all(text, "c = ", "float v[] = float[](" + numbers + "); c = v[int(p.x)] * ");
+    return text;
+}
+
+// The text that is tried names it on another line than the one in place.
+TEST_F(OpenScene, AFileThatCameBackWhileATextIsTriedIsNotCalledMissing) {
+    const fs::path picture = folder_.path() / "paint.png", away = folder_.path() / "away.png";
+    write_image(picture, {.size = {1, 1},
+                          .channels = 3,
+                          .type = ChannelType::u8,
+                          .pixels = std::vector<std::byte>(3, std::byte{127})});
+    const std::string paint =
+        "uniform sampler2D paint; //@ image paint.png\n"
+        "void mainImage(out vec4 c, in vec2 p) { c = texture(paint, p); }\n";
+    playground_->open(folder_.write("scene.frag", paint));
+    const auto count_follows = [&](std::size_t count) {
+        return follows_until([&] {
+            playground_->draw(0.0);
+            return !playground_->is_loading() && playground_->report_count() > 0 &&
+                   playground_->diagnostics().size() == count;
+        });
+    };
+    ASSERT_TRUE(follows_until([&] { return playground_->is_open(); }));
+    ASSERT_TRUE(count_follows(0)) << to_text(playground_->diagnostics());
+    fs::rename(picture, away);
+    ASSERT_TRUE(count_follows(1));
+    folder_.write("scene.frag", "\n" + slow_to_compile(paint));
+    ASSERT_TRUE(follows_until([&] { return playground_->is_loading(); }));
+    EXPECT_EQ(playground_->diagnostics().size(), 1u) << "told with the new text, too";
+    fs::rename(away, picture);
+    EXPECT_TRUE(count_follows(0)) << to_text(playground_->diagnostics());
 }
 
 // What a replay goes on from hangs on text, values, events and inputs, and on nothing else that a
