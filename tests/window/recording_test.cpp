@@ -127,18 +127,25 @@ TEST_F(Recording, TheFilesEventsStayAroundWhatIsRecordedAndNothingDoneIsNothing)
 }
 
 TEST_F(Recording, GoesOnWhereAQuitIsCancelled) {
-    const fs::path preset = folder_->path() / "keys.toml";
+    const fs::path preset = folder_->path() / "drive.toml";
     write(scene(),
           "void mainImage(out vec4 c, in vec2 p) { c = vec4(0.2, 0.2, fract(iTime), 1); }\n");
     write(preset, "scene = \"scene.frag\"\n");
     start({preset.string()});
     ASSERT_TRUE(glint_->says(": shown")) << glint_->errors();
-    const auto tap = [&](const char* keys) {
-        screen_->tap(keys);
-        std::this_thread::sleep_for(300ms);
-    };
-    for (const char* keys : {"F9", "Right", "Control_L+q", "Escape", "Left", "F9", "Control_L+s"})
-        tap(keys);
+    // The question dims the picture.
+    const auto is_asked = [&] { return screen_->pixel({3, 300}).r < 51; };
+    screen_->tap("F9");
+    screen_->tap("Right");  // unsaved once a frame has seen it
+    EXPECT_TRUE(eventually([&] { return screen_->title().ends_with(" * - Glint"); }));
+    screen_->tap("Control_L+q");
+    EXPECT_TRUE(eventually(is_asked));
+    screen_->tap("Escape");
+    EXPECT_TRUE(eventually([&] { return !is_asked(); }));
+    screen_->tap("Left");
+    take_still();  // a frame has seen that, too
+    screen_->tap("F9");
+    screen_->tap("Control_L+s");
     EXPECT_TRUE(eventually([&] { return !screen_->title().ends_with(" * - Glint"); }));
     for (const char* key : {"\"right\"", "\"left\""})
         EXPECT_NE(read(preset).find(key), std::string::npos) << key << " in\n" << read(preset);
