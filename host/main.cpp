@@ -237,6 +237,16 @@ void require_values(std::span<const std::string> arguments) {
     }
 }
 
+// Such as a shell's variable that is not set: what it asks for would not be done, and nothing said.
+// The hidden verbs are spoken to by programs.
+void require_no_empty_values(const CLI::App& verb) {
+    if (verb.get_group().empty()) return;
+    for (const CLI::Option* option : verb.get_options())
+        if (std::ranges::find(option->results(), "") != option->results().end())
+            throw UsageError(fmt::format("{}: it has an empty value; leave it out, or say what",
+                                         option->get_name()));
+}
+
 int run(int argc, char** argv) {
     const Stopwatch since_start;
     open_what_is_closed();
@@ -266,8 +276,11 @@ int run(int argc, char** argv) {
             app.exit(error, text, text);
             return say_result("{}", text.str());
         }
-        for (const DeclaredVerb& declared : verbs)
-            if (declared.app->parsed()) declared.verb->run(since_start);
+        for (const DeclaredVerb& declared : verbs) {
+            if (!declared.app->parsed()) continue;
+            require_no_empty_values(*declared.app);
+            declared.verb->run(since_start);
+        }
     });
 }
 

@@ -30,9 +30,7 @@ void declare(CLI::App& verb, CheckOptions& check) {
     verb.add_option("-o,--output", check.output,
                     "a folder for the pictures of failures; glint-check otherwise")
         ->type_name(kFolder);
-    verb.add_option("--junit", check.junit, "a file for the cases as JUnit XML")
-        ->type_name(kFile)
-        ->check(not_empty());
+    verb.add_option("--junit", check.junit, "a file for the cases as JUnit XML")->type_name(kFile);
     CLI::Option* json = verb.add_flag("--json", check.view.json, "one JSON object on stdout");
     verb.add_flag("--lines", check.lines, "a JSON object a line, whenever a case ends")
         ->excludes(json);

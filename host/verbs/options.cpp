@@ -16,13 +16,6 @@ CLI::Validator one_of(std::vector<std::string> words) {
     return {check, all, kMenu};
 }
 
-CLI::Validator not_empty() {
-    const auto check = [](const std::string& text) {
-        return std::string(text.empty() ? "it has an empty value; leave it out, or say what" : "");
-    };
-    return {check, ""};
-}
-
 void add_off_switch(CLI::App& verb, const std::string& name, bool& value, const std::string& help) {
     verb.add_flag_callback(
         name, [&value] { value = false; }, help);
@@ -39,8 +32,7 @@ namespace {
 void add_looks(CLI::App& verb, ViewOptions& view, const std::string& size) {
     verb.add_option("--size", view.size, size)->type_name("WxH");
     verb.add_option("--quality", view.quality, "values of tweaks that the preset has under a name")
-        ->type_name("NAME")
-        ->check(not_empty());
+        ->type_name("NAME");
     verb.add_option("--tweak", view.tweaks, "a value of the scene's, as often as needed")
         ->type_name(kTweak)
         ->allow_extra_args(false);
@@ -101,8 +93,7 @@ void add_picture(CLI::App& verb, PictureOptions& picture) {
             "--quality", [&picture](const std::string& word) { take_quality(picture, word); },
             "a name: values of tweaks that the preset has under it; or from 1 to 100: of a .jpg "
             "file, 95 otherwise")
-        ->type_name("NAME|N")
-        ->check(not_empty());
+        ->type_name("NAME|N");
     verb.add_option("--from-state", picture.state.from,
                     "go on from this state of the simulation; with %06d: from the newest of use")
         ->type_name(kFile);

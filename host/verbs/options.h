@@ -39,10 +39,6 @@ inline constexpr const char* kMenu = "menu";  // not shown: the name of what one
 // One of a few words.
 CLI::Validator one_of(std::vector<std::string> words);
 
-// Refuses an empty value, such as a shell's variable that is not set: what it asks for would not be
-// done, and nothing said.
-CLI::Validator not_empty();
-
 // A switch that turns off what is on: `--no-NAME`.
 void add_off_switch(CLI::App& verb, const std::string& name, bool& value, const std::string& help);
 

@@ -32,8 +32,7 @@ void declare(CLI::App& verb, ProbeOptions& probe) {
     verb.add_option("--frames", probe.frames, "of --along time: A:B or A:B:STEP; 0:59 otherwise");
     verb.add_option("--map", probe.map,
                     "the value at every pixel, to a .exr, .tif or .hdr file as it is, to a .png or "
-                    ".jpg from its smallest to its largest")
-        ->check(not_empty());
+                    ".jpg from its smallest to its largest");
     verb.add_flag("--cost", probe.cost,
                   "turns of loops, reads of textures and calls instead: of a pixel, of the dearest "
                   "lines, and with --map as a picture");

@@ -21,8 +21,7 @@ void declare_budget(CLI::App& verb, StudyOptions& study) {
         ->excludes(ms)
         ->excludes(rmse);
     verb.add_option("--name", study.name,
-                    "what the setting that is found is called in the preset of -o; best otherwise")
-        ->check(not_empty());
+                    "what the setting that is found is called in the preset of -o; best otherwise");
 }
 
 void declare(CLI::App& verb, StudyOptions& study) {

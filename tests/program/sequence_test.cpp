@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <sched.h>
 
 #include <algorithm>
 #include <cmath>
@@ -295,6 +296,28 @@ TEST_F(Sequence, AFilmHasEveryFrameInItsColours) {
     sequence(
         {"scene.frag", "-o", "film.mp4", "--frames", "0:11", "--fps", "25", "--size", "128x96"});
     EXPECT_EQ(bytes("film.mp4"), before);
+}
+
+// Where there is but one, nothing is compared.
+TEST_F(Sequence, AFilmHasTheSameBytesWhateverTheNumberOfProcessors) {
+    write("scene.frag",
+          "void mainImage(out vec4 c, in vec2 p) {\n"
+          "    vec2 u = p / 40.0 + iTime * vec2(3, 2);\n"
+          "    c = vec4(0.5 + 0.5 * sin(u.x * u.y + iTime * 9.0), fract(u), 1);\n}\n");
+    cpu_set_t all, one;
+    ASSERT_EQ(::sched_getaffinity(0, sizeof(all), &all), 0);
+    CPU_ZERO(&one);
+    CPU_SET(::sched_getcpu(), &one);
+    for (const std::string kind : {".mp4", ".webm"}) {
+        const auto film_on = [&](const cpu_set_t& processors, const std::string& name) {
+            EXPECT_EQ(::sched_setaffinity(0, sizeof(processors), &processors), 0);
+            sequence({"scene.frag", "-o", name + kind, "--frames", "0:4", "--size", "320x180"});
+            return bytes(name + kind);
+        };
+        const std::string on_all = film_on(all, "all");
+        EXPECT_TRUE(film_on(one, "one") == on_all) << kind;
+    }
+    ::sched_setaffinity(0, sizeof(all), &all);
 }
 
 // Players show what is to stand for less than 1/50 s for 1/10 s, as FFmpeg's reader does.
