@@ -29,6 +29,8 @@ Variables::Found Variables::find(std::uint32_t token, std::uint32_t function) co
         const Declaration& declaration = reading_.declarations[place.declaration];
         const Declarator& name = declaration.names[place.name];
         if (name.name > token) break;
+        // Its scope begins behind its own value (GLSL ES 3.00, 4.2.2).
+        if (name.initial.begin <= token && token < name.initial.end) continue;
         const bool is_outside = declaration.scope == Scope::global;
         if (!is_outside && declaration.owner != function) continue;
         if (declaration.scope == Scope::local && !is_seen(declaration, token)) continue;

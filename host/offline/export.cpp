@@ -4,11 +4,11 @@
 #include "base/say.h"
 #include "base/temporary_file.h"
 #include "gl/context.h"
-#include "glsl/edits.h"
 #include "glsl/raw_text.h"
 #include "offline/common.h"
 #include "offline/named_files.h"
 #include "offline/page.h"
+#include "offline/site_names.h"
 #include "offline/site_text.h"
 #include "render/own_main_text.h"
 #include "scene/builtin.h"
@@ -30,6 +30,9 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
+
+// By channel, what it has: into the samplers, as in sampler_at.
+using Channels = std::array<std::optional<std::size_t>, 4>;
 
 // One output of one pass.
 struct Tab {
@@ -67,16 +70,18 @@ private:
                           const std::vector<std::string>& texts) const;
     void find_tabs();
     void warn_of_order();
+    void warn_of_files();
     const PassProgram& program_of(const Tab& tab) const;
-    std::array<std::optional<std::size_t>, 4> channels_of(const Tab& tab) const;
+    Channels channels_of(const Tab& tab) const;
     std::optional<std::size_t> filled_channel(std::size_t pass, std::size_t channel) const;
     std::string tab_text(const Tab& tab);
-    std::string unread_defines(const Reading& body,
-                               const std::array<std::optional<std::size_t>, 4>& channels) const;
-    std::string unfilled_defines(const Tab& tab,
-                                 const std::array<std::optional<std::size_t>, 4>& channels);
-    std::string entry_text(const Tab& tab) const;
-    std::string limits_text(const Tab& tab);
+    std::vector<SiteName> names_there(const Tab& tab, const Reading& body,
+                                      const Channels& channels);
+    void name_unread(const Channels& channels, std::vector<SiteName>& names) const;
+    void name_unfilled(const Tab& tab, const Channels& channels, std::vector<SiteName>& names);
+    std::string entry_text(const Tab& tab, const Reading& body) const;
+    void warn_of_limits(const Tab& tab);
+    std::optional<glm::ivec2> own_size(const Tab& tab) const;
     std::string source_words(const Tab& tab, const Sampler& sampler);
     Json input_json(const Sampler& sampler, int channel) const;
     Json tab_json(const Tab& tab, const std::string& text) const;
@@ -140,8 +145,7 @@ void Exporter::find_tabs() {
     if (buffers > 4 || cubes > 1) {
         throw UsageError(
             fmt::format("The scene fills {} buffers and {} cubemaps; the site has four and one. "
-                        "Switch off what "
-                        "needs them with --tweak, or join passes.",
+                        "Switch off what needs them with --tweak, or join passes.",
                         buffers, cubes));
     }
     tabs_.push_back({"image", kImagePass, 0});
@@ -150,25 +154,54 @@ void Exporter::find_tabs() {
 
 // The site draws outputs one after the other, buffers before cubes.
 void Exporter::warn_of_order() {
+    const std::vector<GraphPass> drawn = drawn_passes();
     std::set<std::size_t> cubes;
-    for (const GraphPass& graph : drawn_passes()) {
+    for (const GraphPass& graph : drawn) {
         const Pass& pass = scene_.passes[graph.pass];
         const auto reads = [&](std::size_t other) {
             return std::ranges::find(graph.reads, other) != graph.reads.end();
         };
         if (pass.outputs.size() > 1 && reads(graph.pass))
-            warn(
-                fmt::format("{}: of several outputs that read each other the site draws the later "
-                            "ones from the new values of the earlier, which may change them; write "
-                            "one pass for each",
-                            fmt::join(pass.outputs, ", ")));
+            warn(fmt::format(
+                "{}: of several outputs that read each other the site draws the later ones from "
+                "the new values of the earlier, which may change them; write one pass for each",
+                fmt::join(pass.outputs, ", ")));
         if (pass.cube) cubes.insert(graph.pass);
+        const bool reads_later = std::ranges::any_of(drawn, [&](const GraphPass& other) {
+            return other.pass > graph.pass && !scene_.passes[other.pass].cube && reads(other.pass);
+        });
+        if (pass.cube && reads_later)
+            warn(fmt::format(
+                "{}: the site draws its cube behind the buffers, so that it reads what a buffer "
+                "below it holds by now, not that of the frame before",
+                pass.outputs.front()));
         if (!pass.cube && std::ranges::any_of(cubes, reads))
             warn(fmt::format(
-                "{}: the site draws its cube behind the buffers, so that this one reads "
-                "that of the frame before",
+                "{}: the site draws its cube behind the buffers, so that this one reads that of "
+                "the frame before",
                 pass.outputs.front()));
     }
+}
+
+// Of the first file that fills it, if any.
+std::string file_name(const Sampler& sampler) {
+    return sampler.files.empty() ? "" : sampler.files.front().filename().string();
+}
+
+// The site's inputs have no folders.
+void Exporter::warn_of_files() {
+    std::map<std::string, std::string> path_of;
+    for (const Tab& tab : tabs_)
+        for (const auto& channel : channels_of(tab)) {
+            if (!channel) continue;
+            const Sampler& sampler = sampler_at(preset_, *channel);
+            const std::string path = sampler.files.empty() ? "" : sampler.files.front().string();
+            const auto [known, is_new] = path_of.emplace(file_name(sampler), path);
+            if (!is_new && known->second != path)
+                warn(fmt::format(
+                    "{} and {} have one name, and an import takes one file for both; rename one",
+                    known->second, path));
+        }
 }
 
 const PassProgram& Exporter::program_of(const Tab& tab) const {
@@ -211,8 +244,8 @@ std::optional<std::size_t> Exporter::filled_channel(std::size_t pass, std::size_
 
 // By sampler (as in sampler_at). One that is called iChannel2 keeps its number, and no other takes
 // that of one that the text asks for.
-std::array<std::optional<std::size_t>, 4> Exporter::channels_of(const Tab& tab) const {
-    std::array<std::optional<std::size_t>, 4> channels;
+Channels Exporter::channels_of(const Tab& tab) const {
+    Channels channels;
     std::vector<std::size_t> others;
     for (const SamplerUniform& uniform : program_of(tab).samplers) {
         const std::string& name = sampler_at(preset_, uniform.sampler).name;
@@ -240,11 +273,6 @@ std::array<std::optional<std::size_t>, 4> Exporter::channels_of(const Tab& tab) 
     return channels;
 }
 
-// Of the first file that fills it, if any.
-std::string file_name(const Sampler& sampler) {
-    return sampler.files.empty() ? "" : sampler.files.front().filename().string();
-}
-
 std::string Exporter::source_words(const Tab& tab, const Sampler& sampler) {
     const std::string where = fmt::format("{}, {}", tab.name, sampler.name);
     if (sampler.wrap == Wrap::mirror) warn(where + ": the site cannot mirror; it repeats there");
@@ -269,9 +297,9 @@ std::string Exporter::source_words(const Tab& tab, const Sampler& sampler) {
     return "nothing";
 }
 
-// What a buffer of its own size, or a step of its own, becomes where neither is known.
-std::string Exporter::limits_text(const Tab& tab) {
-    if (!fills_a_buffer(tab.pass)) return {};
+// Tells of limits that the site's buffers have.
+void Exporter::warn_of_limits(const Tab& tab) {
+    if (!fills_a_buffer(tab.pass)) return;
     const Pass& pass = scene_.passes[tab.pass];
     if (pass.step) {
         warn(fmt::format("{}: the site runs it once a frame, not every {}/{} s", tab.name,
@@ -281,83 +309,77 @@ std::string Exporter::limits_text(const Tab& tab) {
         warn(fmt::format("{}: the site keeps it in floats of 32 bits", tab.name));
     if (channel_count(pass.format) != 4 && pass.entry == "mainImage")
         warn(fmt::format("{}: the site keeps all four channels", tab.name));
+    if (const auto size = own_size(tab))
+        warn(fmt::format(
+            "{}: it has {}x{} pixels, the site's {}: texelFetch reads the same, texture does "
+            "not",
+            tab.name, size->x, size->y,
+            pass.cube ? "cubes have 1024x1024" : "buffers are as large as the picture"));
+}
+
+// Of a buffer that is not as large as the site's.
+std::optional<glm::ivec2> Exporter::own_size(const Tab& tab) const {
+    if (!fills_a_buffer(tab.pass)) return std::nullopt;
+    const Pass& pass = scene_.passes[tab.pass];
     const glm::ivec2 size = buffer_size(pass, preset_.size);
-    const glm::ivec2 theirs = pass.cube ? glm::ivec2(1024) : preset_.size;
-    if (size == theirs) return {};
-    warn(fmt::format(
-        "{}: it has {}x{} pixels, the site's {}: texelFetch reads the same, texture does "
-        "not",
-        tab.name, size.x, size.y,
-        pass.cube ? "cubes have 1024x1024" : "buffers are as large as the picture"));
-    return fmt::format("#define iResolution vec3({}.0, {}.0, 1.0)\n", size.x, size.y);
+    return size == (pass.cube ? glm::ivec2(1024) : preset_.size) ? std::nullopt
+                                                                 : std::optional(size);
 }
 
 // What a reader sees of channels that the buffer has not.
-std::string missing_channels_text(PixelFormat format) {
+std::string missing_channels_text(PixelFormat format, const std::string& colour) {
     const int channels = channel_count(format);
     if (channels == 4) return {};
-    return fmt::format("    fragColor = vec4(fragColor.{}, 1.0);\n",
+    return fmt::format("    {0} = vec4({0}.{1}, 1.0);\n", colour,
                        channels == 1 ? "r, 0.0, 0.0" : "rg, 0.0");
 }
 
 // mainImage, where the pass's function has another name or several outputs.
-std::string Exporter::entry_text(const Tab& tab) const {
+std::string Exporter::entry_text(const Tab& tab, const Reading& body) const {
     if (!fills_a_buffer(tab.pass)) return {};
     const Pass& pass = scene_.passes[tab.pass];
     if (pass.entry == "mainImage" || pass.entry == "mainCubemap") return {};
-    std::string variables, arguments;
-    for (std::size_t i = 0; i < pass.outputs.size(); ++i) {
-        if (i == tab.output) {
-            arguments += "fragColor, ";
-            continue;
-        }
-        variables += fmt::format("    vec4 {};\n", pass.outputs[i] + "Unused");
-        arguments += pass.outputs[i] + "Unused, ";
-    }
+    const std::string colour = free_of_macros(body, "fragColor");
+    const std::string place = free_of_macros(body, "fragCoord");
     if (pass.cube) {
         return fmt::format(
-            "\nvoid mainCubemap(out vec4 fragColor, in vec2 fragCoord, in vec3 rayOri, in vec3 "
-            "rayDir) {{\n    {}(fragColor, fragCoord, rayOri, rayDir);\n}}\n",
-            pass.entry);
+            "\nvoid mainCubemap(out vec4 {1}, in vec2 {2}, in vec3 {3}, in vec3 {4}) {{\n"
+            "    {0}({1}, {2}, {3}, {4});\n}}\n",
+            pass.entry, colour, place, free_of_macros(body, "rayOri"),
+            free_of_macros(body, "rayDir"));
     }
-    return fmt::format(
-        "\nvoid mainImage(out vec4 fragColor, in vec2 fragCoord) {{\n{}    {}({}"
-        "fragCoord);\n{}}}\n",
-        variables, pass.entry, arguments, missing_channels_text(pass.format));
-}
-
-// Whether a word stands in the text, in branches that are not compiled too.
-bool speaks_of(const Reading& reading, std::string_view word) {
-    return std::ranges::any_of(reading.written, [&](const Token& token) { return token.is(word); });
+    std::string variables, arguments;
+    for (std::size_t i = 0; i < pass.outputs.size(); ++i) {
+        const std::string unused = free_of_macros(body, pass.outputs[i] + "Unused");
+        if (i != tab.output) variables += fmt::format("    vec4 {};\n", unused);
+        arguments += (i == tab.output ? colour : unused) + ", ";
+    }
+    return fmt::format("\nvoid mainImage(out vec4 {}, in vec2 {}) {{\n{}    {}({}{});\n{}}}\n",
+                       colour, place, variables, pass.entry, arguments, place,
+                       missing_channels_text(pass.format, colour));
 }
 
 // Code that is switched off still speaks of samplers; any of their type will do.
-std::string Exporter::unread_defines(
-    const Reading& body, const std::array<std::optional<std::size_t>, 4>& channels) const {
-    std::string defines;
+void Exporter::name_unread(const Channels& channels, std::vector<SiteName>& names) const {
     for (std::size_t i = 0; i < scene_.samplers.size(); ++i) {
         const Sampler& sampler = scene_.samplers[i];
         if (std::ranges::find(channels, i) != channels.end()) continue;
         if (sampler.name.starts_with("iChannel")) continue;  // the site has all four
-        if (!speaks_of(body, sampler.name)) continue;
         // What is bound to nothing is a sampler2D on the site.
         for (std::size_t channel = 0; channel < channels.size(); ++channel) {
             const SamplerType type = channels[channel]
                                          ? sampler_at(preset_, *channels[channel]).type
                                          : SamplerType::sampler2D;
             if (type != sampler.type) continue;
-            defines +=
-                fmt::format("#define {} iChannel{}  // switched off\n", sampler.name, channel);
+            names.push_back({sampler.name, fmt::format("iChannel{}", channel), "switched off"});
             break;
         }
     }
-    return defines;
 }
 
 // What nothing fills is 0 here, and there a channel to which nothing is bound.
-std::string Exporter::unfilled_defines(const Tab& tab,
-                                       const std::array<std::optional<std::size_t>, 4>& channels) {
-    std::string defines;
+void Exporter::name_unfilled(const Tab& tab, const Channels& channels,
+                             std::vector<SiteName>& names) {
     for (const UnfilledSampler& unfilled : program_of(tab).unfilled) {
         if (find_builtin(unfilled.name)) continue;
         const auto free = std::ranges::find(channels, std::optional<std::size_t>());
@@ -368,57 +390,52 @@ std::string Exporter::unfilled_defines(const Tab& tab,
                             pass_name(scene_, tab.pass), unfilled.name));
         warn(fmt::format("{}: nothing fills {}; a channel without an input stands for it", tab.name,
                          unfilled.name));
-        defines += fmt::format("#define {} iChannel{}\n", unfilled.name, free - channels.begin());
+        names.push_back({unfilled.name, fmt::format("iChannel{}", free - channels.begin())});
     }
-    return defines;
 }
 
-// `b` of `c.b`, which a macro of a sampler's name would change.
-bool is_component(std::string_view name) {
-    return name.size() <= 4 && name.find_first_not_of("xyzwrgbastpq") == name.npos;
-}
-
-std::string with_sampler_named(const std::string& text, const Known& known, std::string_view from,
-                               const std::string& to) {
-    const Reading reading = read_glsl(text, known);
-    Edits edits(reading);
-    for (std::size_t i = 0; i < reading.written.size(); ++i)
-        if (reading.written[i].is(from) && (i == 0 || !reading.written[i - 1].is(".")))
-            edits.replace_bytes(reading.written[i].span(), to);
-    return edits.apply().text;
+// What the text calls otherwise than the site.
+std::vector<SiteName> Exporter::names_there(const Tab& tab, const Reading& body,
+                                            const Channels& channels) {
+    std::vector<SiteName> names;
+    for (std::size_t i = 0; i < channels.size(); ++i) {
+        if (!channels[i]) continue;
+        const std::string& name = sampler_at(preset_, *channels[i]).name;
+        if (!name.starts_with("iChannel")) names.push_back({name, fmt::format("iChannel{}", i)});
+    }
+    name_unread(channels, names);
+    name_unfilled(tab, channels, names);
+    if (body.mentions("iTick") && !means_its_own(body, "iTick")) {
+        // A float's steps are below 1/65536 s for 256 s.
+        names.push_back({"iTick", "uint(iTime * 65536.0)"});
+        warn(tab.name + ": iTick becomes uint(iTime * 65536.0), exact for the first 256 s");
+    }
+    if (!means_its_own(body, "iGlobalTime")) names.push_back({"iGlobalTime", "iTime"});
+    if (const auto size = own_size(tab))
+        names.push_back({"iResolution", fmt::format("vec3({}.0, {}.0, 1.0)", size->x, size->y)});
+    return names;
 }
 
 std::string Exporter::tab_text(const Tab& tab) {
     const Known known = known_of_pass(output_names(scene_, tab.pass));
-    std::string head, defines, body = site_text(preset_, tab.pass).text;
-    const auto channels = channels_of(tab);
+    const std::string body = without_heads(site_text(preset_, tab.pass).text);
+    const Reading reading = read_glsl(body, known);
+    const Channels channels = channels_of(tab);
+    std::string head;
     for (std::size_t i = 0; i < channels.size(); ++i) {
         if (!channels[i]) continue;
         const Sampler& sampler = sampler_at(preset_, *channels[i]);
         head += fmt::format("// iChannel{}: {}, {}, {}\n", i, source_words(tab, sampler),
                             kFilterNames.of(sampler.filter),
                             sampler.wrap == Wrap::clamp ? "clamp" : "repeat");
-        if (is_component(sampler.name))
-            body = with_sampler_named(body, known, sampler.name, fmt::format("iChannel{}", i));
-        else if (!sampler.name.starts_with("iChannel"))
-            defines += fmt::format("#define {} iChannel{}\n", sampler.name, i);
     }
-    body = without_heads(body);
-    const Reading reading = read_glsl(body, known);
-    defines += unread_defines(reading, channels);
-    defines += unfilled_defines(tab, channels);
-    if (speaks_of(reading, "iTick") && !means_its_own(reading, "iTick")) {
-        // A float's steps are below 1/65536 s for 256 s.
-        defines += "#define iTick uint(iTime * 65536.0)\n";
-        warn(tab.name + ": iTick becomes uint(iTime * 65536.0), exact for the first 256 s");
-    }
-    if (speaks_of(reading, "iGlobalTime") && !means_its_own(reading, "iGlobalTime"))
-        defines += "#define iGlobalTime iTime\n";
-    defines += older_names(reading);
+    const SiteNamed named = with_site_names(body, known, names_there(tab, reading, channels));
+    warn_of_limits(tab);
+    head += named.defines + older_names(reading);
     if (std::ranges::any_of(reading.written,
                             [](const Token& token) { return token.text.starts_with(kPassPrefix); }))
-        defines += fmt::format("#define {}{} 1\n", kPassPrefix, pass_name(scene_, tab.pass));
-    return head + defines + limits_text(tab) + body + entry_text(tab);
+        head += fmt::format("#define {}{} 1\n", kPassPrefix, pass_name(scene_, tab.pass));
+    return head + named.text + entry_text(tab, reading);
 }
 
 constexpr std::array kBufferIds = {257, 258, 259, 260};
@@ -501,6 +518,7 @@ void Exporter::warn_of_others(const fs::path& folder) {
 
 void Exporter::write(const fs::path& folder) {
     require_folder(folder);
+    warn_of_files();
     std::vector<std::string> texts;
     Json passes = Json::array();
     for (const Tab& tab : tabs_) {

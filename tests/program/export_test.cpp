@@ -182,6 +182,70 @@ TEST_F(Export, ATextThatComesBackStaysAsLong) {
     EXPECT_EQ(again.code, 0) << again.err;
 }
 
+// A #define of the sampler's name would change what is called so, too.
+TEST_F(Export, NamesThatTheTextGivesToItsOwnAreNotTheSamplers) {
+    const std::string buffers =
+        "uniform sampler2D a; //@ pass mainA size=16x9\n"
+        "uniform sampler2D wind; //@ pass mainWind\n"
+        "uniform sampler2D xy; //@ pass mainXy\n"
+        "struct Pair { float a, wind; vec2 xy; };\n"
+        "#define fragCoord gl_FragCoord.xy\n"
+        "#define READ(s) texelFetch(s, ivec2(fragCoord) % ivec2(16, 9), 0)\n"
+        "float aspect(vec3 iResolution, float a) { return iResolution.x / iResolution.y * a; }\n"
+        "void mainA(out vec4 c, in vec2 p) { c = vec4(p / iResolution.xy, "
+        "aspect(iResolution, 0.3), 1); }\n"
+        "void mainWind(out vec4 c, in vec2 p) { c = vec4(0, p.y / 20.0, READ(a).b, 1); }\n"
+        "void mainXy(out vec4 c, in vec2 p) { c = READ(a) + READ(wind); c.a = 1.0; }\n";
+    const std::string images[] = {
+        "void mainImage(out vec4 c, in vec2 p) {\n"
+        "    c = READ(xy);\n"
+        "    float wind = 1.0;\n"
+        "    for (int i = 0; i < 2; ++i) { float a = 0.25; c *= wind - 0.1 * a; }\n"
+        "    c.a = 1.0;\n}\n",
+        "void mainImage(out vec4 c, in vec2 p) {\n"
+        "    Pair s = Pair(0.5, 0.25, vec2(0.2));\n"
+        "    c = READ(xy) * s.a + READ(wind).xyxy * s.wind;\n"
+        "    c.xy += s.xy;\n"
+        "    float wind = READ(wind).g;\n"
+        "    c.b *= wind;\n}\n",
+        "float both(float wind, float xy) { return 0.7 * wind + 0.3 * xy; }\n"
+        "void mainImage(out vec4 c, in vec2 p) { c = READ(a) * both(0.5, 1.0); c.a = 1.0; }\n"};
+    for (const std::string& image : images) {
+        SCOPED_TRACE(image);
+        write("a.frag", buffers + image);
+        const Outcome made = glint({"export", "a.frag", "-o", "out", "--size", "32x18"});
+        ASSERT_EQ(made.code, 0) << made.err;
+        fs::remove(folder() / "back.frag");
+        ASSERT_EQ(glint({"import", "out/shadertoy.json", "-o", "back.frag"}).code, 0);
+        EXPECT_EQ(draw("a.frag").pixels, draw("back.frag").pixels);
+    }
+}
+
+TEST_F(Export, FilesOfOneNameAreTold) {
+    write("make.frag", "void mainImage(out vec4 c, in vec2 p) { c = vec4(0.5); }\n");
+    fs::create_directory(folder() / "more");
+    for (const char* file : {"p.png", "more/p.png"})
+        ASSERT_EQ(glint({"still", "make.frag", "-o", file, "--size", "4x4"}).code, 0);
+    write("a.frag",
+          "uniform sampler2D one; //@ image p.png\nuniform sampler2D two; //@ image more/p.png\n"
+          "void mainImage(out vec4 c, in vec2 p) { c = texture(one, p) + texture(two, p); }\n");
+    const Outcome made = glint({"export", "a.frag", "-o", "out"});
+    ASSERT_EQ(made.code, 0) << made.err;
+    EXPECT_NE(made.err.find("more/p.png have one name"), std::string::npos) << made.err;
+}
+
+TEST_F(Export, ACubeThatReadsABufferBelowItIsTold) {
+    write("a.frag",
+          "uniform samplerCube sky; //@ pass mainSky\nuniform sampler2D late; //@ pass mainLate\n"
+          "void mainSky(out vec4 c, in vec2 p, in vec3 o, in vec3 d) { c = texelFetch(late, "
+          "ivec2(3), 0); }\n"
+          "void mainLate(out vec4 c, in vec2 p) { c = vec4(fract(iTime)); }\n"
+          "void mainImage(out vec4 c, in vec2 p) { c = texture(sky, vec3(p, 7)); }\n");
+    const Outcome made = glint({"export", "a.frag", "-o", "out"});
+    ASSERT_EQ(made.code, 0) << made.err;
+    EXPECT_NE(made.err.find("reads what a buffer below it holds"), std::string::npos) << made.err;
+}
+
 TEST_F(Export, WhatTheSiteDrawsInAnotherOrderIsTold) {
     write("a.frag",
           "uniform samplerCube sky; //@ pass mainSky\nuniform sampler2D pos; //@ pass mainStep\n"
@@ -313,7 +377,7 @@ TEST_F(Export, MoreThanTheSiteHoldsIsRefusedAndNothingIsWritten) {
 TEST_F(Export, WhatTheSiteDoesOtherwiseIsSaid) {
     write("odd.frag",
           "uniform sampler2D waves; //@ pass mainWaves size=16x8 step=1/240 format=rgba16f\n"
-          "void mainWaves(out vec4 c, in vec2 p) { c = texelFetch(waves, ivec2(p), 0) + 0.1; }\n"
+          "void mainWaves(out vec4 c, in vec2 p) { c = vec4(p / iResolution.xy, 0.1, 1); }\n"
           "void mainImage(out vec4 c, in vec2 p) { c = texture(waves, p); }\n");
     const Outcome made = glint({"export", "odd.frag", "-o", "out"});
     ASSERT_EQ(made.code, 0) << made.err;
