@@ -263,7 +263,15 @@ void Conditions::enter(Macros& macros, Live condition) {
         group.done = Live::yes;
     else if (condition == Live::maybe && group.done == Live::no)
         group.done = Live::maybe;
+    group.branch = ++branches_;
     if (group.live == Live::maybe) macros.open_branch();
+}
+
+std::vector<std::uint32_t> Conditions::open_branches() const {
+    std::vector<std::uint32_t> list;
+    for (const Group& group : groups_)
+        if (group.live == Live::maybe) list.push_back(group.branch);
+    return list;
 }
 
 void Conditions::leave(Macros& macros) {

@@ -32,17 +32,22 @@ public:
     // Whether what follows is compiled.
     Live live() const { return groups_.empty() ? Live::yes : groups_.back().live; }
     bool is_within() const { return !groups_.empty(); }
+    // The branches around, of which nobody knows whether they are compiled, from the outermost on:
+    // each has a number of its own.
+    std::vector<std::uint32_t> open_branches() const;
 
 private:
     struct Group {
         Live outer = Live::yes, live = Live::yes;
         Live done = Live::no;  // whether a branch before was compiled
         bool has_else = false;
+        std::uint32_t branch = 0;  // of a live one that may be compiled
     };
     void enter(Macros& macros, Live condition);
     void leave(Macros& macros);
 
     std::vector<Group> groups_;
+    std::uint32_t branches_ = 0;
 };
 
 }  // namespace glint

@@ -32,6 +32,7 @@ public:
     // `1.0`, `-1.0`, `true`, and a list of these.
     std::string number() {
         std::string text(take("-") ? "-" : "");
+        if (text.empty()) take("+");
         const bool is_number =
             !done() && (tokens_[at_].kind == TokenKind::number || tokens_[at_].is_word());
         return is_number ? text += tokens_[at_++].text : std::string();
@@ -49,6 +50,20 @@ public:
         std::vector<std::string> numbers = list();
         if (!take(")")) numbers = {""};
         return numbers;
+    }
+    // `{ 0.0, 5.0 }` or `[…]`, also of `vec2(…)`: the least and the most of all components. Empty
+    // where it is none.
+    std::vector<std::string> range() {
+        const std::string_view end = take("{") ? "}" : take("[") ? "]" : "";
+        const std::vector<std::string> low = value();
+        const bool has_two = take(",");
+        const std::vector<std::string> high = has_two ? value() : low;
+        if (end.empty() || !has_two || !take(end)) return {};
+        const auto by_value = [](const std::string& text) {
+            return parse_number(text).value_or(0);
+        };
+        return {*std::ranges::min_element(low, {}, by_value),
+                *std::ranges::max_element(high, {}, by_value)};
     }
 
 private:
@@ -142,15 +157,13 @@ std::optional<ForeignUniform> ForeignFile::uniform(const Directive& directive) c
     ForeignUniform uniform;
     uniform.type = words.name();
     uniform.name = words.name();
-    if (uniform.name.empty() || !words.take("=")) return std::nullopt;
-    uniform.value = words.value();
+    if (uniform.name.empty()) return std::nullopt;
+    const bool has_value = words.take("=");
+    if (has_value) uniform.value = words.value();
     words.take(";");
-    if (words.take("in")) {
-        if (!words.take("{")) return std::nullopt;
-        uniform.range = words.list();
-        if (!words.take("}") || uniform.range.size() != 2) return std::nullopt;
-    }
-    if (words.take("step") && (uniform.step = words.number()).empty()) return std::nullopt;
+    if (words.take("in") && (uniform.range = words.range()).empty()) return std::nullopt;
+    if (!has_value) uniform.value = {uniform.range.empty() ? "0" : uniform.range.front()};
+    if (words.take("step") && (uniform.step = words.value().front()).empty()) return std::nullopt;
     words.take(";");
     const auto is_empty = [](const std::string& text) { return text.empty(); };
     if (!words.done() || std::ranges::any_of(uniform.value, is_empty) ||

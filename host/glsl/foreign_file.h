@@ -24,7 +24,8 @@ struct ForeignChannel {
 };
 using ForeignChannels = std::array<ForeignChannel, 4>;
 
-// `#iUniform color3 tint = color3(1.0, 0.5, 0.0) in { 0.0, 1.0 } step 0.1 // what it does`
+// `#iUniform color3 tint = color3(1.0, 0.5, 0.0) in { 0.0, 1.0 } step 0.1 // what it does`. Without
+// a value it begins with its range, or 0.
 struct ForeignUniform {
     std::string type, name;
     std::vector<std::string> value;  // one number for all components, or one for each

@@ -113,8 +113,9 @@ private:
     void add_buffers(const fs::path& file, const ForeignChannels& channels, int line,
                      std::set<fs::path>& known);
     void add_text(const std::string& own_buffer);
-    void add_entry(const ForeignFile& text, int line);
     void add_uniform(const Directive& directive, int number);
+    void add_uniform(const ForeignUniform& uniform, int number);
+    void add_integers(const ForeignUniform& uniform, int number);
     void add_channel(std::size_t index, const std::string& own_buffer);
     void add_keyboard(int number);
     void add_nothing(const Directive& channel, int number);
@@ -165,12 +166,10 @@ ForeignText Rewriter::root() {
         add("#endif", 1);
         add(fmt::format("#ifdef PASS_{}", name), 1);
         add_text(name);
-        add_entry(text_, text_.line_count());
         add("#endif", text_.line_count());
     } else {
         if (is_tab) add("#ifdef PASS_image", 1);
         add_text({});
-        if (is_tab) add_entry(text_, text_.line_count());
         if (is_tab) add("#endif", text_.line_count());
     }
     return std::move(result_);
@@ -200,7 +199,6 @@ void Rewriter::add_buffers(const fs::path& file, const ForeignChannels& channels
         add(fmt::format("#include \"{}\"",
                         path.lexically_proximate(file_.parent_path()).generic_string()),
             at);
-        add_entry(other, at);
         add("#endif", at);
     }
 }
@@ -234,13 +232,6 @@ void Rewriter::add_nothing(const Directive& channel, int number) {
     add("", number);
 }
 
-// Where a text with a main() is one of several, each is drawn by its mainImage.
-void Rewriter::add_entry(const ForeignFile& text, int line) {
-    if (text.mentions("gl_FragColor") && !text.mentions("mainImage"))
-        add("void mainImage(out vec4 color, in vec2 coord) { main(); color = gl_FragColor; }",
-            line);
-}
-
 // A colour's components as an annotation has them.
 std::string hex_colour(const std::vector<std::string>& components) {
     std::string hex = "#";
@@ -252,14 +243,20 @@ std::string hex_colour(const std::vector<std::string>& components) {
 }
 
 void Rewriter::add_uniform(const Directive& directive, int number) {
-    auto uniform = text_.uniform(directive);
+    const auto uniform = text_.uniform(directive);
     if (!uniform) {
         add("", number);
         return error(number,
                      "this #iUniform is not understood; write #iUniform float speed = 1.0 "
                      "in { 0.0, 5.0 }");
     }
-    auto& [type, name, value, range, step, description] = *uniform;
+    constexpr std::string_view kIntegers[] = {"ivec2", "ivec3", "ivec4"};
+    const bool is_integers = std::ranges::find(kIntegers, uniform->type) != std::end(kIntegers);
+    is_integers ? add_integers(*uniform, number) : add_uniform(*uniform, number);
+}
+
+void Rewriter::add_uniform(const ForeignUniform& uniform, int number) {
+    auto [type, name, value, range, step, description] = uniform;
     const bool is_colour = type.starts_with("color");
     const std::string ours = is_colour ? "vec" + type.substr(5) : type;
     const int count = ours.starts_with("vec") && ours.size() == 4 ? ours[3] - '0' : 1;
@@ -272,6 +269,21 @@ void Rewriter::add_uniform(const Directive& directive, int number) {
     std::ranges::replace(description, '"', '\'');
     if (!description.empty()) annotation += fmt::format(" \"{}\"", description);
     add(fmt::format("uniform {} {};  //@ {}", ours, name, annotation), number);
+}
+
+// `ivec2`, which no slider has: an `int` for each component.
+void Rewriter::add_integers(const ForeignUniform& uniform, int number) {
+    const auto count = static_cast<std::size_t>(uniform.type.back() - '0');
+    std::string all;
+    for (std::size_t i = 0; i < count; ++i) {
+        ForeignUniform one = uniform;
+        one.type = "int";
+        one.name = uniform.name + "_" + "xyzw"[i];
+        one.value = {uniform.value[std::min(i, uniform.value.size() - 1)]};
+        all += (i > 0 ? ", " : "") + one.name;
+        add_uniform(one, number);
+    }
+    add(fmt::format("#define {} {}({})", uniform.name, uniform.type, all), number);
 }
 
 void Rewriter::add_channel(std::size_t index, const std::string& own_buffer) {

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <deque>
-#include <set>
+#include <map>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -86,6 +86,7 @@ private:
     void append_up_to(File& file, std::size_t end);
     void append_line(const File& file, std::string_view text);
     void append_blanked(File& file, const DirectiveLine& directive);
+    bool is_there(const fs::path& id) const;
     bool may_include(const fs::path& path, const Place& place);
     Place place_in(const File& file, std::size_t offset) const;
     void error(Place place, std::string text) {
@@ -100,8 +101,9 @@ private:
     Conditions conditions_;
     std::deque<File> files_;  // all that were read, as macros have their words from there
     std::vector<std::pair<fs::path, std::string>> chain_;  // identity and name of the open files
-    std::set<fs::path> once_;                              // files that say #pragma once
-    std::string version_;                                  // what #version names; "" where none
+    // Files that say #pragma once, and within which branches: those of another tab read it anew.
+    std::multimap<fs::path, std::vector<std::uint32_t>> once_;
+    std::string version_;  // what #version names; "" where none
     int includes_ = 0;
 };
 
@@ -198,7 +200,8 @@ void Reader::obey(File& file, const DirectiveLine& directive) {
     const std::string_view what = line.size() > 2 ? tokens[line.begin + 2].text : "";
     if (word == "define") macros_.define(tokens, line, directive.span);
     if (word == "undef") macros_.undefine(what);
-    if (word == "pragma" && what == "once" && line.size() == 3) once_.insert(file.identity);
+    if (word == "pragma" && what == "once" && line.size() == 3)
+        once_.emplace(file.identity, conditions_.open_branches());
     if (word == "include")
         include(file, directive);
     else if (word == "version" || word == "line" || word == "pragma" || word == "extension")
@@ -253,9 +256,20 @@ void Reader::include(File& file, const DirectiveLine& directive) {
     file.done = end + 1;
 }
 
+// Of a file that says #pragma once.
+bool Reader::is_there(const fs::path& id) const {
+    const std::vector<std::uint32_t> around = conditions_.open_branches();
+    const auto [begin, end] = once_.equal_range(id);
+    return std::any_of(begin, end, [&](const auto& once) {
+        const auto& within = once.second;
+        return within.size() <= around.size() &&
+               std::equal(within.begin(), within.end(), around.begin());
+    });
+}
+
 bool Reader::may_include(const fs::path& path, const Place& place) {
     const fs::path id = identity(path);
-    if (once_.contains(id)) return false;
+    if (is_there(id)) return false;
     const auto open = std::ranges::find(chain_, id, &decltype(chain_)::value_type::first);
     if (open != chain_.end()) {
         std::string names;

@@ -172,7 +172,7 @@ void Scanner::add(std::size_t end, TokenKind kind) {
 
 // Behind the closing quote, or npos where it is not on this line.
 std::size_t Scanner::quoted_end() const {
-    const char close = text_[at_] == '<' ? '>' : '"';
+    const char close = text_[at_] == '<' ? '>' : text_[at_];
     for (std::size_t end = at_ + 1; end < text_.size() && text_[end] != '\n'; ++end)
         if (text_[end] == close) return end + 1;
     return text_.npos;
@@ -180,7 +180,7 @@ std::size_t Scanner::quoted_end() const {
 
 void Scanner::take_token() {
     const char c = text_[at_];
-    if (takes_quotes_ && (c == '"' || c == '<')) {
+    if (takes_quotes_ && (c == '"' || c == '\'' || c == '<')) {
         if (const std::size_t end = quoted_end(); end != text_.npos)
             return add(end, TokenKind::quoted);
     }

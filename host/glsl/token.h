@@ -30,7 +30,7 @@ enum class TokenKind : std::uint8_t {
     word,    // a name or keyword
     number,  // `1`, `.5e-3`, `0x1Fu`
     symbol,  // an operator or bracket of GLSL: `+=`, `(`, `#`
-    quoted,  // "a file" or <a file>, in directives that are not GLSL's own alone
+    quoted,  // "a file", 'a file' or <a file>, in directives that are not GLSL's own alone
     strange  // bytes that no GLSL has
 };
 

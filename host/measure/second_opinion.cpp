@@ -253,8 +253,7 @@ std::optional<std::vector<PlacedFinding>> findings_of(const Preset& preset, std:
 }  // namespace
 
 SecondOpinion second_opinion(const Preset& preset, const std::vector<std::size_t>& passes) {
-    if (preset.scene.image_entry == "main")
-        return {{}, "the site takes no text with a main() of its own"};
+    if (draws_by_main(preset.scene)) return {{}, "the site takes no text with a main() of its own"};
     std::vector<std::optional<std::vector<PlacedFinding>>> found(passes.size());
     try {
         Workers workers(static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));

@@ -44,7 +44,7 @@ class Exporter {
 public:
     explicit Exporter(const Preset& preset) : preset_(preset), scene_(preset.scene) {
         compile(kImagePass);
-        if (scene_.image_entry == "main")
+        if (draws_by_main(scene_))
             throw UsageError(
                 "The site takes no text with a main() of its own. Write void mainImage(out vec4 "
                 "fragColor, in vec2 fragCoord), and these two for gl_FragColor and gl_FragCoord.");

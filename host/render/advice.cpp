@@ -60,6 +60,7 @@ constexpr Foreign kFunctions[] = {{"lerp", "mix"},
                                   {"asint", "floatBitsToInt"}};
 
 constexpr std::size_t kLongest = 200;  // of a complaint that is taken apart
+constexpr const char* kElement = "type error in array constructor: expected: {}, found {}";
 constexpr const char* kAssigned = "{} of type {} cannot be assigned to variable of type {}";
 
 std::string found(std::span<const Foreign> list, std::string_view name) {
@@ -107,8 +108,10 @@ std::string advice_on_foreign_name(std::string_view name) {
     if (escape != std::end(kEscapes))
         return fmt::format("; where &{}; stands for {} in what was copied, write that",
                            escape->first, escape->second);
-    if (name == "gl_FragColor" || name == "gl_FragData")
-        return "; a mainImage writes its first parameter";
+    if (name == "gl_FragColor") return "; a mainImage writes its first parameter";
+    if (name == "gl_FragData")
+        return "; one picture is drawn: a main() writes gl_FragData[0], a mainImage its first "
+               "parameter, and a buffer is a pass of its own";
     constexpr std::string_view kEmpty[] = {"None", "NULL", "null", "nullptr", "nil", "undefined"};
     if (std::ranges::find(kEmpty, name) != std::end(kEmpty))
         return "; GLSL has no empty value: write 0, 0.0 or false";
@@ -284,6 +287,7 @@ std::string advice_on_types(std::string_view complaint) {
     }
     const auto mistakes = [&](std::string_view given, std::string_view wanted) {
         return complaint == fmt::format(kTypeForAnother, given, wanted) ||
+               complaint == fmt::format(kElement, wanted, given) ||
                complaint == fmt::format(kAssigned, "value", given, wanted) ||
                complaint.starts_with(fmt::format(kAssigned, "initializer", given, wanted)) ||
                (complaint.starts_with(fmt::format("`return' with wrong type {},", given)) &&
@@ -302,6 +306,10 @@ std::string advice_on_types(std::string_view complaint) {
         if (complaint == fmt::format("illegal use of reserved word `{}'", word))
             return "; leave it out, GLSL has no such word";
     if (complaint == "illegal use of reserved word `class'") return "; write struct";
+    if (complaint == "illegal use of reserved word `attribute'")
+        return "; a vertex shader has such, and here is the fragment shader alone";
+    if (complaint == "illegal use of reserved word `sampler1D'")
+        return "; a texture has rows here: write sampler2D, and read it at vec2(x, 0.5)";
     if (complaint.ends_with("HS of `^' must be an integer")) return "; a power is pow(a, b)";
     if (complaint.ends_with("of operator % must be an integer"))
         return "; of floats mod(a, b) is left";

@@ -173,7 +173,7 @@ void LogReader::add_of_link(const std::string& words) {
         told.place = taken_apart().first(input);
         told.text = "nothing feeds " + input +
                     ": no vertices stand before a picture; write a value of its own, such as " +
-                    (scene_.image_entry == "main" ? "gl_FragCoord.xy" : "fragCoord") +
+                    (draws_by_main(scene_, text_.pass) ? "gl_FragCoord.xy" : "fragCoord") +
                     " / iResolution.xy";
     } else if (!bare.empty() && bare != entry_of(scene_, text_.pass)) {
         told.place = taken_apart().first(bare);

@@ -121,18 +121,19 @@ void make_block_a_variable(const Reading& reading, const Declaration& block, Edi
     if (zero && block.names.front().array.empty()) edits.after(name, "=" + *zero);
 }
 
-// `varying` is `in` today.
-void name_newer(const Reading& reading, const Declaration& declaration, Edits& edits) {
-    for (std::uint32_t at = declaration.qualifiers.begin; at < declaration.qualifiers.end; ++at)
-        if (reading.tokens[at].is("varying")) edits.replace({at, at + 1}, "in");
-}
-
 // `layout(binding = 1)`, which desktop GLSL has: what fills a uniform is said elsewhere.
 void leave_out_layout(const Reading& reading, TokenRange words, Edits& edits) {
     for (std::uint32_t at = words.begin; at + 1 < words.end; ++at)
         if (const std::uint32_t close = reading.close_of(at + 1);
             reading.tokens[at].is("layout") && close != kNone)
             edits.replace({at, close + 1}, "");
+}
+
+// `varying` is `in` today, and has no layout.
+void name_newer(const Reading& reading, const Declaration& declaration, Edits& edits) {
+    leave_out_layout(reading, declaration.qualifiers, edits);
+    for (std::uint32_t at = declaration.qualifiers.begin; at < declaration.qualifiers.end; ++at)
+        if (reading.tokens[at].is("varying")) edits.replace({at, at + 1}, "in");
 }
 
 // Words of GLSL ES 3.00 that are names in an older one; those that qualify something are in use.

@@ -236,8 +236,8 @@ std::string buffer_main(const Pass& pass, const char* out, const ProgramOptions&
     return fmt::format(
         "void {0}({1}in vec2 coord);\n{2}{3}{4}void main() {{\n{5}    "
         "{0}({6}gl_FragCoord.xy{7});\n{8}}}\n",
-        pass.entry, parameters, kAssert, jitter, outputs, variables, arguments,
-        options.average ? " + glint_jitter" : "", results);
+        pass.entry == "main" ? "mainImage" : pass.entry, parameters, kAssert, jitter, outputs,
+        variables, arguments, options.average ? " + glint_jitter" : "", results);
 }
 
 // The site's older form of mainSound takes the time alone.
@@ -345,8 +345,8 @@ void specialise(const Preset& preset, const ProgramOptions& options, const Readi
         const Tweak& tweak = preset.scene.tweaks[i];
         const bool is_unused = unused.contains(tweak.name);
         if (indices.contains(tweak.name) && !is_unused) continue;
-        edits.replace_bytes({tweak.declaration_begin, tweak.declaration_end},
-                            is_unused ? "" : constant(tweak, preset.values[i]));
+        for (const Span declaration : tweak.declarations)
+            edits.replace_bytes(declaration, is_unused ? "" : constant(tweak, preset.values[i]));
     }
 }
 
@@ -361,10 +361,9 @@ std::unordered_set<std::string_view> unused_constants(const Reading& reading, co
 }
 
 void name_tweaks(const Scene& scene, Edits& edits) {
-    for (std::size_t i = 0; i < scene.tweaks.size(); ++i) {
-        const Tweak& tweak = scene.tweaks[i];
-        edits.replace_bytes({tweak.declaration_begin, tweak.declaration_end}, named_tweak(i));
-    }
+    for (std::size_t i = 0; i < scene.tweaks.size(); ++i)
+        for (const Span declaration : scene.tweaks[i].declarations)
+            edits.replace_bytes(declaration, named_tweak(i));
 }
 
 // Those of specialise() that become a 0, or a vector with one. Of -0.0 the driver makes -inf
@@ -419,8 +418,9 @@ std::string prologue(const Preset& preset, std::size_t pass, const ProgramOption
     std::string text = "#version 300 es\n" + definitions_of_pass(output_names(scene, pass));
     text += renamed_words(reading);
     text += kPrecision;
-    if (scene.image_entry == "main") text += other_precisions(reading);
-    text += host_uniforms(reading, sound, image && scene.image_entry == "main");
+    const bool plain_main = draws_by_main(scene, pass);
+    if (draws_by_main(scene)) text += other_precisions(reading);
+    text += host_uniforms(reading, sound, plain_main);
     text += other_names(reading);
     text += channel_declarations(preset, pass, reading);
     std::string main = sound                     ? sound_main(reading)
@@ -528,8 +528,8 @@ EditedText specialised_text(const Preset& preset) {
     for (std::size_t i = 0; i < scene.tweaks.size(); ++i) {
         const Tweak& tweak = scene.tweaks[i];
         const std::string written = variable(tweak, preset.values[i]);
-        edits.replace_bytes({tweak.declaration_begin, tweak.declaration_end},
-                            indices[i] ? written : "const " + written);
+        for (const Span declaration : tweak.declarations)
+            edits.replace_bytes(declaration, indices[i] ? written : "const " + written);
     }
     return edits.apply();
 }
@@ -538,7 +538,7 @@ PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions&
                    const ProbeWish* probe) {
     const Scene& scene = preset.scene;
     const bool image = pass == kImagePass, sound = pass == kSoundPass;
-    const bool plain_main = image && scene.image_entry == "main";
+    const bool plain_main = draws_by_main(scene, pass);
     const Reading& reading = reading_for(scene, pass);
     const bool has_main = !reading.functions_named("main").empty();
     Edits edits(reading);

@@ -23,6 +23,8 @@ constexpr std::pair<std::string_view, std::string_view> kWords[] = {
     {"cbuffer", "HLSL"},
     {"SamplerState", "HLSL"},
     {"stage_in", "Metal"},
+    {"stitchable", "Metal"},
+    {"namespace", "Metal"},
     {"fn", "WGSL"}};
 
 // `fn main(`

@@ -2,6 +2,7 @@
 
 #include "base/diagnostic.h"
 #include "scene/other_language.h"
+#include "scene/scene_text.h"
 
 #include <fmt/format.h>
 
@@ -24,16 +25,6 @@ bool is_at_another_location(const Reading& reading, TokenRange qualifiers) {
 
 bool writes_plain_colour(const Reading& reading) {
     return reading.mentions("gl_FragColor") || reading.mentions("gl_FragData");
-}
-
-// As where main() is that of one of several files (glsl/foreign_text.h).
-bool main_image_calls_main(const Reading& reading) {
-    for (const std::uint32_t function : reading.functions_named("mainImage")) {
-        const TokenRange body = reading.functions[function].body;
-        for (std::uint32_t at = body.begin; at < body.end; ++at)
-            if (reading.tokens[at].is("main")) return true;
-    }
-    return false;
 }
 
 // Behind what a person forgot it, outside of functions: a declaration that goes on with the head of
@@ -117,6 +108,35 @@ std::optional<std::size_t> main_with_parameters(const Reading& reading) {
     return std::nullopt;
 }
 
+// Of a main() that writes no colour.
+std::optional<NoPicture> why_no_colour(const Reading& reading) {
+    if (const auto at = bad_layout(reading))
+        return NoPicture{*at, "this layout is not understood; write layout(location = 0)"};
+    const auto mains = reading.functions_named("main");
+    if (const auto at = main_with_parameters(reading))
+        return NoPicture{*at,
+                         "main() takes nothing; gl_FragCoord.xy is where a pixel stands, or write "
+                         "void mainImage(out vec4 fragColor, in vec2 fragCoord)"};
+    const bool is_plain = writes_plain_colour(reading) || colour_output(reading);
+    if (is_plain ? is_misread(reading) : !mains.empty())
+        if (const auto end = missing_semicolon(reading)) return no_semicolon(*end);
+    if (is_plain || mains.empty()) return std::nullopt;
+    if (is_misread(reading) || has_unknown_output(reading)) return std::nullopt;
+    for (const Token& token : reading.tokens)
+        if ((token.text.starts_with("gl_F") || token.text.starts_with("gl_f")) &&
+            !token.is("gl_FragCoord") && !token.is("gl_FrontFacing") && !token.is("gl_FragDepth"))
+            return NoPicture{token.span().begin,
+                             fmt::format("no {} is known; did you mean gl_FragColor?", token.text)};
+    const std::string_view other =
+        reading.mentions("gl_Position")             ? "this main() is of a vertex shader"
+        : reading.mentions("gl_GlobalInvocationID") ? "this main() is of a compute shader"
+                                                    : "this main() writes no colour";
+    return NoPicture{reading.place(reading.functions[mains.front()].name).begin,
+                     std::string(other) +
+                         "; a picture is drawn by one that writes gl_FragColor, or a variable that "
+                         "is declared by out vec4 before it"};
+}
+
 }  // namespace
 
 bool has_own_main(const Reading& reading) {
@@ -125,7 +145,6 @@ bool has_own_main(const Reading& reading) {
         return writes_plain_colour(reading) || !mains.empty() ||
                (is_misread(reading) && reading.mentions("main"));
     return !mains.empty() && reading.functions[mains.front()].is_defined() &&
-           !main_image_calls_main(reading) &&
            (writes_plain_colour(reading) || colour_output(reading));
 }
 
@@ -197,32 +216,13 @@ std::optional<std::vector<std::uint32_t>> fed_input(const Reading& reading,
     return fed;
 }
 
-std::optional<NoPicture> why_no_colour(const Reading& reading) {
-    if (const auto at = bad_layout(reading))
-        return NoPicture{*at, "this layout is not understood; write layout(location = 0)"};
-    const auto mains = reading.functions_named("main");
-    if (const auto at = main_with_parameters(reading))
-        return NoPicture{*at,
-                         "main() takes nothing; gl_FragCoord.xy is where a pixel stands, or write "
-                         "void mainImage(out vec4 fragColor, in vec2 fragCoord)"};
-    const bool is_plain = writes_plain_colour(reading) || colour_output(reading);
-    if (is_plain ? is_misread(reading) : !mains.empty())
-        if (const auto end = missing_semicolon(reading)) return no_semicolon(*end);
-    if (is_plain || mains.empty()) return std::nullopt;
-    if (is_misread(reading) || has_unknown_output(reading)) return std::nullopt;
-    for (const Token& token : reading.tokens)
-        if ((token.text.starts_with("gl_F") || token.text.starts_with("gl_f")) &&
-            !token.is("gl_FragCoord") && !token.is("gl_FrontFacing") && !token.is("gl_FragDepth"))
-            return NoPicture{token.span().begin,
-                             fmt::format("no {} is known; did you mean gl_FragColor?", token.text)};
-    const std::string_view other =
-        reading.mentions("gl_Position")             ? "this main() is of a vertex shader"
-        : reading.mentions("gl_GlobalInvocationID") ? "this main() is of a compute shader"
-                                                    : "this main() writes no colour";
-    return NoPicture{reading.place(reading.functions[mains.front()].name).begin,
-                     std::string(other) +
-                         "; a picture is drawn by one that writes gl_FragColor, or a variable that "
-                         "is declared by out vec4 before it"};
+OwnMain own_main_for(const Reading& all, std::span<const std::string> outputs) {
+    const auto of = [](const Reading& reading) {
+        return has_own_main(reading) ? OwnMain{true, why_no_colour(reading)} : OwnMain();
+    };
+    const bool has_parts = all.text.find(kPassPrefix) != all.text.npos;
+    if (!has_parts || !all.mentions("main")) return of(all);
+    return of(read_glsl(all.text, known_of_pass(outputs)));
 }
 
 NoPicture why_no_picture(const Reading& reading) {

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -48,8 +49,13 @@ struct NoPicture {
     std::optional<std::size_t> at;
     std::string text;
 };
-// Of a main() that writes no colour.
-std::optional<NoPicture> why_no_colour(const Reading& reading);
+// Whether a main() draws a pass, and what is wrong with it. `all`: the text as read for all passes,
+// of which each may have a part of its own.
+struct OwnMain {
+    bool draws = false;
+    std::optional<NoPicture> wrong{};
+};
+OwnMain own_main_for(const Reading& all, std::span<const std::string> outputs);
 // Of a text in which no function draws.
 NoPicture why_no_picture(const Reading& reading);
 

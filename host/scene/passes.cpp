@@ -20,6 +20,15 @@ std::string entry_of(const Scene& scene, std::size_t pass) {
                                 : scene.passes[pass].entry;
 }
 
+bool draws_by_main(const Scene& scene, std::size_t pass) {
+    return entry_of(scene, pass) == "main";
+}
+
+bool draws_by_main(const Scene& scene) {
+    return draws_by_main(scene, kImagePass) ||
+           std::ranges::find(scene.passes, "main", &Pass::entry) != scene.passes.end();
+}
+
 const Sampler& sampler_at(const Preset& preset, std::size_t index) {
     const auto& own = preset.scene.samplers;
     return index < own.size() ? own[index] : preset.channels.at(index - own.size());

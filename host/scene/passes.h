@@ -29,6 +29,9 @@ std::string pass_name(const Scene& scene, std::size_t pass);
 
 // The function that draws it: "mainImage", "mainSound", "mainWaves".
 std::string entry_of(const Scene& scene, std::size_t pass);
+// Whether that is a main() of the text's own (scene/own_main.h); without a pass, of any.
+bool draws_by_main(const Scene& scene, std::size_t pass);
+bool draws_by_main(const Scene& scene);
 
 // A sampler that some pass may read: one of the scene's, or one of the four channels of a preset.
 const Sampler& sampler_at(const Preset& preset, std::size_t index);  // channels follow the scene's

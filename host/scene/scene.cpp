@@ -8,6 +8,7 @@
 #include "scene/annotation.h"
 #include "scene/builtin.h"
 #include "scene/lint.h"
+#include "scene/other_language.h"
 #include "scene/own_main.h"
 #include "scene/probe_note.h"
 #include "scene/scene_text.h"
@@ -43,7 +44,9 @@ private:
     void check_builtin(const Uniform& declaration, const UniformName& declarator);
     void blank_builtins(const Uniform& declaration);
     bool claim_name(const UniformName& declarator, const std::string& tab);
+    bool is_known_tweak(const Uniform& declaration);
     std::string tab_of(const Uniform& declaration, Span note) const;
+    std::string tab_at(std::size_t offset) const;
     void warn_unannotated(const Uniform& declaration);
     void use_note(Span note);
     bool is_allowance(Span note);
@@ -56,6 +59,7 @@ private:
         return std::ranges::any_of(diagnostics_, &Diagnostic::missing_file) ||
                reading_.open_condition || reading_.unclosed_comment;
     }
+    bool draws_by_main(const std::vector<std::string>& outputs);
     void check_image();
 
     std::optional<Span> note_of(const Uniform& declaration, std::size_t next_begin);
@@ -122,17 +126,27 @@ Scene Builder::build() {
     return std::move(scene_);
 }
 
+// What is wrong with it is told.
+bool Builder::draws_by_main(const std::vector<std::string>& outputs) {
+    const OwnMain main = own_main_for(reading_, outputs);
+    if (main.wrong) error(main.wrong->at.value_or(0), main.wrong->text);
+    return main.draws;
+}
+
 void Builder::check_image() {
     if (reading_.open_condition && !reading_.unclosed_comment) {  // the rest goes with it
         const auto [at, why] = about_open_condition(reading_);
         return error(at, why);
     }
-    if (has_own_main(reading_)) scene_.image_entry = "main";
+    if (draws_by_main({"image"})) scene_.image_entry = "main";
     if (scene_.image_entry == "mainImage")
         check_function({"mainImage", {"color"}}, "this draws the picture");
-    else if (const auto missing = why_no_colour(reading_))
-        return error(missing->at.value_or(0), missing->text);
-    if (identifiers_.contains(scene_.image_entry) || scene_.has_sound || misses_a_part()) return;
+    else if (has_errors(diagnostics_))
+        return;
+    if (identifiers_.contains(scene_.image_entry) || scene_.has_sound) return;
+    // What another language includes is none of ours.
+    if (other_language(reading_)) std::erase_if(diagnostics_, &Diagnostic::missing_file);
+    if (misses_a_part()) return;
     const NoPicture why = why_no_picture(reading_);
     if (why.at) return error(*why.at, why.text);
     diagnostics_.push_back({Severity::error, Place{source_.files.front().string()}, why.text});
@@ -254,6 +268,7 @@ void Builder::add_annotated(const Uniform& declaration, Span note) {
         return error(name_at, fmt::format("{} is the host's own; give this uniform another name, "
                                           "or take the annotation away",
                                           in_quotes(declarator.name)));
+    if (tweak && is_known_tweak(declaration)) return;
     if (!claim_name(declarator, sampler ? tab_of(declaration, note) : "")) return;
     if (tweak) return add_tweak(declaration, *tweak, note);
     add_sampler(declaration, *sampler, note);
@@ -262,11 +277,31 @@ void Builder::add_annotated(const Uniform& declaration, Span note) {
 // Each tab of pasted text has an iChannel0 of its own. A buffer has one name for all, wherever the
 // pass that fills it is written.
 std::string Builder::tab_of(const Uniform& declaration, Span note) const {
-    if (trimmed(note_text(note)).starts_with("pass ")) return {};
+    const bool is_pass = trimmed(note_text(note)).starts_with("pass ");
+    return is_pass ? std::string() : tab_at(declaration.span.begin);
+}
+
+std::string Builder::tab_at(std::size_t offset) const {
     for (const Tab& tab : tabs_)
-        if (tab.span.begin <= declaration.span.begin && declaration.span.begin < tab.span.end)
-            return std::string(tab.pass);
+        if (tab.span.begin <= offset && offset < tab.span.end) return std::string(tab.pass);
     return {};
+}
+
+// One that other tabs declare in the same words.
+bool Builder::is_known_tweak(const Uniform& declaration) {
+    const std::string_view name = declaration.names.front().name;
+    const auto known = std::ranges::find(scene_.tweaks, name, &Tweak::name);
+    const std::string tab = tab_at(declaration.span.begin);
+    if (known == scene_.tweaks.end() || tab.empty()) return false;
+    const auto line = [&](Span span) {
+        return source_.text.substr(span.begin, source_.text.find('\n', span.begin) - span.begin);
+    };
+    const bool is_alike = std::ranges::all_of(known->declarations, [&](Span other) {
+        const std::string its = tab_at(other.begin);
+        return !its.empty() && its != tab && line(other) == line(declaration.span);
+    });
+    if (is_alike) known->declarations.push_back(declaration.span);
+    return is_alike;
 }
 
 bool Builder::claim_name(const UniformName& declarator, const std::string& tab) {
@@ -280,10 +315,14 @@ bool Builder::claim_name(const UniformName& declarator, const std::string& tab) 
     if (is_new) return true;
     if (reading_.open_condition) return false;  // which is told
     const Place first = source_.place(entry->second);
+    const std::string other = tab_at(entry->second);
+    const bool is_of_tabs = !other.empty() && other != tab_at(declarator.span.begin);
     error(declarator.span.begin,
-          fmt::format("{} is declared already at {}:{}; take one of them out (or write #pragma "
-                      "once in a file that is included twice)",
-                      in_quotes(declarator.name), first.file, first.line));
+          fmt::format("{} is declared already at {}:{}; {}", in_quotes(declarator.name), first.file,
+                      first.line,
+                      is_of_tabs ? "all tabs have one tweak of a name: declare it alike"
+                                 : "take one of them out (or write #pragma once in a file that is "
+                                   "included twice)"));
     return false;
 }
 
@@ -299,8 +338,7 @@ void Builder::add_tweak(const Uniform& declaration, TweakType type, Span note) {
     tweak.type = type;
     tweak.group = group_;
     tweak.place = source_.place(declarator.span.begin);
-    tweak.declaration_begin = declaration.span.begin;
-    tweak.declaration_end = declaration.span.end;
+    tweak.declarations = {declaration.span};
     std::vector<Complaint> complaints;
     tweak = parse_tweak(std::move(tweak), note_text(note), complaints);
     if (!report(complaints, note)) return;
@@ -366,8 +404,9 @@ void Builder::find_entries() {
             continue;
         }
         if (stands_in_tab(pass))
-            pass.entry =
-                pass.cube && identifiers_.contains("mainCubemap") ? "mainCubemap" : "mainImage";
+            pass.entry = pass.cube && identifiers_.contains("mainCubemap") ? "mainCubemap"
+                         : !pass.cube && draws_by_main(pass.outputs)       ? "main"
+                                                                           : "mainImage";
         else if (!misses_a_part() && !puts_names_together())
             error(entries_[i], no_pass_function(reading_, pass));
     }
@@ -520,28 +559,6 @@ void Builder::blank_builtins(const Uniform& declaration) {
     if (!keeps_any) blank(declaration.span.begin, declaration.span.end);
 }
 
-// Of a scene that is kept as a shader of the site. Its places are those of the scene file that
-// `glint import` would write.
-SourceText imported_source(const std::filesystem::path& json, Diagnostics& diagnostics) {
-    const std::vector<Shadertoy> shaders = read_shadertoys(json, diagnostics);
-    const auto scene = std::filesystem::path(json).replace_extension(".frag");
-    if (shaders.empty()) {
-        SourceText nothing;
-        nothing.files = {json, scene};
-        return nothing;
-    }
-    if (shaders.size() > 1) {
-        diagnostics.push_back(
-            {Severity::warning,
-             {json.string()},
-             fmt::format("it holds {} shaders, and this is the first; `glint import` writes a "
-                         "scene file for each",
-                         shaders.size())});
-    }
-    const std::string text = scene_text(shaders.front(), json, scene.parent_path(), diagnostics);
-    return made_source(scene, json, text, known_of_scene(), diagnostics);
-}
-
 // A stranger's shader may name files in words that only Glint knows.
 void refuse_outside(const std::filesystem::path& json, ReadScene& read) {
     const auto outside = files_outside(read, json.parent_path());
@@ -556,21 +573,6 @@ void refuse_outside(const std::filesystem::path& json, ReadScene& read) {
 }
 
 }  // namespace
-
-Place Scene::place(int line, int column) const {
-    if (files.empty()) return {};
-    if (line < 1 || origins.empty()) return {files.front().string()};
-    const std::size_t index = std::min(static_cast<std::size_t>(line), origins.size()) - 1;
-    return {files[origins[index].file].string(), origins[index].line, column};
-}
-
-Place Scene::place_at(std::size_t offset) const {
-    const std::string_view before = std::string_view(text).substr(0, offset);
-    const auto line = std::ranges::count(before, '\n');
-    const std::string_view head = before.substr(before.rfind('\n') + 1);
-    const auto column = std::ranges::count_if(head, begins_character);
-    return place(static_cast<int>(line) + 1, static_cast<int>(column) + 1);
-}
 
 ReadScene read_scene(const std::filesystem::path& file) {
     ReadScene result;

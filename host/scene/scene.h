@@ -3,6 +3,7 @@
 
 #include "base/diagnostic.h"
 #include "base/names.h"
+#include "glsl/raw_text.h"
 #include "scene/pixel_format.h"
 
 #include <glm/vec2.hpp>
@@ -51,9 +52,9 @@ struct Tweak {
     std::string second;
     std::string unit, group, description;
     Place place;
-    // Byte range [begin, end) of `uniform … ;` in Scene::text, which specialisation replaces by a
-    // constant.
-    std::size_t declaration_begin = 0, declaration_end = 0;
+    // `uniform … ;` in Scene::text, which specialisation replaces by a constant: several where tabs
+    // declare it alike.
+    std::vector<Span> declarations;
 };
 
 // The number of components of a tweak's value: 1 to 4.

@@ -304,6 +304,8 @@ std::unordered_set<std::string_view> find_words(const Reading& reading) {
 }
 
 std::string what_fills(std::string_view type, bool is_array) {
+    if (type == "samplerCube") return "say what fills it, such as //@ cube sky.hdr";
+    if (type == "sampler3D") return "say what fills it, such as //@ volume clouds.bin";
     if (type.find("sampler") != type.npos)
         return "say what fills it, such as //@ pass mainWaves or //@ image wood.png";
     constexpr std::pair<std::string_view, const char*> kExamples[] = {
@@ -314,6 +316,21 @@ std::string what_fills(std::string_view type, bool is_array) {
     if (is_array || example == std::end(kExamples))
         return "nothing fills one of its type here: take 'uniform' out, and give it its values";
     return fmt::format("say what fills it, such as //@ {} \"what it does\"", example->second);
+}
+
+Place Scene::place(int line, int column) const {
+    if (files.empty()) return {};
+    if (line < 1 || origins.empty()) return {files.front().string()};
+    const std::size_t index = std::min(static_cast<std::size_t>(line), origins.size()) - 1;
+    return {files[origins[index].file].string(), origins[index].line, column};
+}
+
+Place Scene::place_at(std::size_t offset) const {
+    const std::string_view before = std::string_view(text).substr(0, offset);
+    const auto line = std::ranges::count(before, '\n');
+    const std::string_view head = before.substr(before.rfind('\n') + 1);
+    const auto column = std::ranges::count_if(head, begins_character);
+    return place(static_cast<int>(line) + 1, static_cast<int>(column) + 1);
 }
 
 }  // namespace glint

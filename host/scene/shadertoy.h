@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/diagnostic.h"
+#include "glsl/source_text.h"
 
 #include <array>
 #include <filesystem>
@@ -66,5 +67,9 @@ std::optional<Shadertoy> read_shadertoy_folder(const std::filesystem::path& fold
 std::string scene_text(const Shadertoy& shader, const std::filesystem::path& from,
                        const std::filesystem::path& folder, Diagnostics& diagnostics,
                        bool anywhere = false);
+
+// Of a scene that is kept as a shader of the site: the first in the file. Its places are those of
+// the scene file that `glint import` would write.
+SourceText imported_source(const std::filesystem::path& json, Diagnostics& diagnostics);
 
 }  // namespace glint

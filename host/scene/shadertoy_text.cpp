@@ -400,4 +400,24 @@ std::string scene_text(const Shadertoy& shader, const fs::path& from, const fs::
     return Writer(with_free_names(shader), from, folder, diagnostics, anywhere).text();
 }
 
+SourceText imported_source(const fs::path& json, Diagnostics& diagnostics) {
+    const std::vector<Shadertoy> shaders = read_shadertoys(json, diagnostics);
+    const auto scene = fs::path(json).replace_extension(".frag");
+    if (shaders.empty()) {
+        SourceText nothing;
+        nothing.files = {json, scene};
+        return nothing;
+    }
+    if (shaders.size() > 1) {
+        diagnostics.push_back(
+            {Severity::warning,
+             {json.string()},
+             fmt::format("it holds {} shaders, and this is the first; `glint import` writes a "
+                         "scene file for each",
+                         shaders.size())});
+    }
+    const std::string text = scene_text(shaders.front(), json, scene.parent_path(), diagnostics);
+    return made_source(scene, json, text, known_of_scene(), diagnostics);
+}
+
 }  // namespace glint

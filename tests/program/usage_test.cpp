@@ -52,6 +52,7 @@ TEST_F(Usage, IsRefusedWithASentenceThatNamesTheOption) {
         {{"sequence", "scene.frag", "-o", "%d.png", "--frames", ""}, "--frames: it has an empty"},
         {{"still", "scene.frag", "-o", "out.png", "--size", ""}, "--size: it has an empty value"},
         {{"still", "", "-o", "out.png"}, "file: it has an empty value"},
+        {{"still", "scene.frag", "-o", ""}, "--output: it has an empty value"},
         {{"still", "scene.frag", "-o", "out.png", "--size", "0x5"}, "--size 0x5"},
         {{"still", "scene.frag", "-o", "out.png", "--size", "5x0"}, "--size 5x0"},
         {{"still", "scene.frag", "-o", "out.png", "--size", "-5x5"}, "--size"},

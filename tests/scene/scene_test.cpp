@@ -73,8 +73,8 @@ TEST(Scene, KnowsTheBytesOfEachDeclaration) {
     ASSERT_TRUE(result.scene) << all(result.diagnostics);
     const auto declaration = [&](std::size_t i) {
         const Tweak& tweak = result.scene->tweaks.at(i);
-        return result.scene->text.substr(tweak.declaration_begin,
-                                         tweak.declaration_end - tweak.declaration_begin);
+        const Span place = tweak.declarations.at(0);
+        return result.scene->text.substr(place.begin, place.end - place.begin);
     };
     EXPECT_EQ(declaration(0), "uniform  float\n  a /* x */ ;");
     EXPECT_EQ(declaration(1), "highp uniform mediump int b;");

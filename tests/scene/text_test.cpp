@@ -149,7 +149,7 @@ TEST(Include, StandsInPlaceAndKeepsEveryLinesOrigin) {
     EXPECT_EQ(scene.place(999, 1).line, 3);
     EXPECT_EQ(scene.place(0, 0).line, 0);
     const Tweak& tweak = scene.tweaks.at(0);
-    EXPECT_EQ(scene.text.substr(tweak.declaration_begin, 16), "uniform float a;");
+    EXPECT_EQ(scene.text.substr(tweak.declarations.at(0).begin, 16), "uniform float a;");
 }
 
 TEST(Include, ImagesAreNamedFromTheFileThatNamesThem) {
@@ -233,7 +233,7 @@ TEST(Blanked, AreExtensions) {
 TEST(Uniforms, MayComeFromMacros) {
     const Scene scene = good("#define KNOB uniform float\nKNOB a; //@ 1\n" + kImage);
     EXPECT_EQ(tweak_names(scene), "a ");
-    EXPECT_EQ(scene.text.substr(scene.tweaks.at(0).declaration_begin, 7), "KNOB a;");
+    EXPECT_EQ(scene.text.substr(scene.tweaks.at(0).declarations.at(0).begin, 7), "KNOB a;");
     const ReadScene both =
         read("#define KNOBS uniform float a; uniform float b\nKNOBS; //@ 1\n" + kImage);
     EXPECT_FALSE(both.scene) << "nothing tells which of them is meant";

@@ -24,9 +24,9 @@ void members(const auto& all, Is<Diagnostic> auto& value) {
 }
 void members(const auto& all, Is<Tweak> auto& value) {
     auto& [name, type, initial, min, max, safe, names, is_colour, log, step, quality, no_random,
-           reference, second, unit, group, description, place, begin, end] = value;
+           reference, second, unit, group, description, place, declarations] = value;
     all(name, type, initial, min, max, safe, names, is_colour, log, step, quality, no_random,
-        reference, second, unit, group, description, place, begin, end);
+        reference, second, unit, group, description, place, declarations);
 }
 void members(const auto& all, Is<Sampler> auto& value) {
     auto& [name, tab, type, source, filter, wrap, vflip, pass, output, files, noise_channels,
