@@ -40,7 +40,7 @@ int noteLength() {
 }
 
 // The note that sounds, and the one before it, which still rings, at a sample of the tune. Counting in
-// whole numbers keeps the tune as exact after a day as at its start.
+// whole numbers keeps the tune as exact after ten hours as at its start.
 vec2 tune(int samp) {
     int size = noteLength(), note = samp / size;
     float since = float(samp % size) / 44100.0;

@@ -1,5 +1,7 @@
 #include "media/analyser.h"
 
+#include "base/loop_place.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -72,13 +74,10 @@ const Analyser::Magnitudes& Analyser::magnitudes(long block) {
 
 std::span<const std::byte> Analyser::rows_at(double time) {
     time = std::max(time, 0.0);
-    // The tolerances forgive times such as 7/60 s, which lie a rounding below a whole block, and
-    // 0.3 s, a rounding below three rounds of 0.1 s.
-    const double rounded = std::floor(time / seconds() + 1e-9);
-    const double into = std::max(time - rounded * seconds(), 0.0);
-    const auto rounds = static_cast<long>(rounded);
-    const auto block = static_cast<long>(std::floor(into * kBlockRate + 1e-6));
-    return rows_of(rounds * round() + std::min(block, round() - 1));
+    const LoopPlace place = place_in_loop(time, seconds());
+    // The tolerance forgives times such as 7/60 s, which lie a rounding below a whole block.
+    const auto block = static_cast<long>(std::floor(place.into * kBlockRate + 1e-6));
+    return rows_of(static_cast<long>(place.rounds) * round() + std::min(block, round() - 1));
 }
 
 std::span<const std::byte> Analyser::rows_of(long block) {

@@ -19,6 +19,7 @@ namespace glint {
 namespace {
 
 constexpr long kBlock = SoundRenderer::kBlock;
+constexpr long kMostSamples = 0x7fffffff;  // that an int counts
 
 // What is not a number is silence.
 float audible(float value) {
@@ -64,9 +65,8 @@ private:
 
 SoundRenderer::SoundRenderer(const Preset& preset, const ProgramOptions& options)
     : preset_(preset),
-      renderer_(
-          preset, compile_or_stop(preset, {.root = kSoundPass, .program = options}),
-          {.size = {kSoundBlockWidth, kSoundBlockRows}, .picture_format = PixelFormat::rgba32f}) {
+      renderer_(preset, compile_or_stop(preset, {.root = kSoundPass, .program = options}),
+                {.size = preset.size, .picture_format = PixelFormat::rgba32f}) {
     load_inputs(preset, renderer_);
 }
 
@@ -103,6 +103,9 @@ int write_sound(const Preset& preset, bool specialise, long first, long count,
     std::vector<std::int16_t> samples;
     Lost lost;
     long done = 0;
+    // What a buffer keeps hangs on all blocks before.
+    for (long block = 0; renderer.renderer().graph().stateful && block < first / kBlock; ++block)
+        renderer.renderer().advance(renderer.frame_of(block));
     for (long block = first / kBlock; block * kBlock < first + count; ++block) {
         const std::vector<float> rgba = renderer.drawn(renderer.frame_of(block));
         const long begin = std::max(first - block * kBlock, 0L);
@@ -117,12 +120,16 @@ int write_sound(const Preset& preset, bool specialise, long first, long count,
         writer.append(samples);
         progress.update(done += end - begin);
     }
+    if (first + count > kMostSamples)
+        say("{}: warning: `samp` ends after 13 h 31 min, where an int does, and goes on from "
+            "-2147483648\n",
+            preset.scene.files.front().string());
     if (const std::string words = lost.words(); !words.empty())
         say("{}: warning: {}\n", preset.scene.files.front().string(), words);
     return writer.finish();
 }
 
-void run_sound(const SoundOptions& options) {
+Preset run_sound(const SoundOptions& options) {
     const Stopwatch clock;
     if (!can_write_sound(options.output)) {
         throw UsageError(
@@ -130,7 +137,7 @@ void run_sound(const SoundOptions& options) {
     }
     const long count = std::lround(options.seconds * kSampleRate);
     if (count < 1) throw UsageError("--seconds: it is less than a sample; name more, such as 10.");
-    const Preset preset = open_preset(options.view);
+    Preset preset = open_preset(options.view);
     if (!preset.scene.has_sound) {
         throw UsageError(fmt::format(
             "{} has no sound; it would be vec2 mainSound(int samp, float time) {{ ... }}.",
@@ -157,6 +164,7 @@ void run_sound(const SoundOptions& options) {
         say_result("{}  {:.1f} s of sound  {:.0f} ms\n", options.output.string(), options.seconds,
                    clock.ms());
     }
+    return preset;
 }
 
 }  // namespace glint

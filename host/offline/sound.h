@@ -12,8 +12,8 @@ namespace glint {
 constexpr long kMostSoundSamples = 0x7fffffff / 4;                     // as a WAV file can hold
 constexpr double kMostSoundSeconds = kMostSoundSamples / kSampleRate;  // whole ones
 
-// Throws what main() turns into exit codes.
-void run_sound(const SoundOptions& options);
+// What was heard. Throws what main() turns into exit codes.
+Preset run_sound(const SoundOptions& options);
 
 // Makes the sound of a scene, which has one, block by block. Needs a current context.
 class SoundRenderer {

@@ -1,5 +1,6 @@
 #include "render/channels.h"
 
+#include "base/loop_place.h"
 #include "gl/resample.h"
 #include "render/room.h"
 
@@ -251,7 +252,7 @@ void Channels::set_time(double time) {
 
 double Channels::time_of(std::size_t index, double time) const {
     const auto sound = sounds_.find(index);
-    if (sound != sounds_.end()) return std::fmod(time, sound->second->seconds());
+    if (sound != sounds_.end()) return place_in_loop(time, sound->second->seconds()).into;
     return sampler_at(preset_, index).plays ? time : 0.0;
 }
 

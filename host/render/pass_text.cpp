@@ -256,7 +256,7 @@ std::string sound_main(const Reading& reading) {
     return fmt::format(
         "vec2 mainSound({});\n{}layout(location = 0) out vec4 glint_out0;\nvoid main() {{\n"
         "    int samp = (iFrame * {} + int(gl_FragCoord.y)) * {} + int(gl_FragCoord.x);\n"
-        "    float time = float(samp) / {}.0;\n"
+        "    float time = float(uint(samp)) / {}.0;\n"
         "    glint_out0 = vec4(mainSound({}), 0.0, 1.0);\n}}\n",
         old ? "float time" : "int samp, float time", kAssert, kSoundBlockRows, kSoundBlockWidth,
         kSampleRate, old ? "time" : "samp, time");

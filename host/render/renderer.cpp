@@ -105,6 +105,7 @@ BufferShape Renderer::wanted_shape(const CompiledScene& scene, std::size_t index
     const bool whole = options_.tile == glm::ivec2(0);
     BufferShape shape{.size = whole ? options_.size : options_.tile + 2,  // 2: see set_tile()
                       .format = options_.picture_format};
+    if (wanted == kSoundPass) shape.size = {kSoundBlockWidth, kSoundBlockRows};
     if (fills_a_buffer(wanted)) {
         shape = shape_of(preset_.scene.passes[wanted], options_.size,
                          scene.graph.passes[index].feedback);

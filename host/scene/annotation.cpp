@@ -43,11 +43,15 @@ struct TweakParser {
     std::optional<TweakValue> resolve(const Written& written, std::string_view what);
     bool in_range(const TweakValue& value) const;
     bool is_safe_within() const;
+    bool is_name_of_menu() const;
 };
 
 constexpr std::array<std::string_view, 3> kAlone = {"log", "quality", "norandom"};
 const std::vector<std::string> kTweakWords = {"log",      "unit",      "step",   "group", "quality",
                                               "norandom", "reference", "second", "safe"};
+
+constexpr const char* kSafeOfMenu =
+    "safe is a part of the menu; write safe=[0, 1] for the first two of its names";
 
 constexpr std::string_view kConstructors[] = {"float", "int",  "bool", "vec2",
                                               "vec3",  "vec4", "uint"};
@@ -55,6 +59,23 @@ constexpr std::string_view kConstructors[] = {"float", "int",  "bool", "vec2",
 void TweakParser::parse() {
     while (!words.done()) parse_item();
     check();
+}
+
+// Whether what stands in quotes here is one of the names that the menu behind it has.
+bool TweakParser::is_name_of_menu() const {
+    Words ahead = words.ahead();
+    const std::string name = ahead.quoted_text();
+    while (!ahead.done() && ahead.peek() != '{') {
+        if (ahead.peek() == '"')
+            ahead.quoted_text();
+        else if (ahead.bare("{\"").empty())
+            ahead.accept(ahead.peek());
+    }
+    if (tweak.type != TweakType::int1 || !ahead.accept('{')) return false;
+    const auto names = ahead.list('}', 0);
+    return names && std::ranges::any_of(split(*names), [&](std::string_view one) {
+               return unquoted(one) == trimmed(name);
+           });
 }
 
 void TweakParser::parse_item() {
@@ -67,7 +88,7 @@ void TweakParser::parse_item() {
         case '"': {
             const bool hash = tweak.type == TweakType::vec3 || tweak.type == TweakType::vec4;
             Words ahead = words.ahead();
-            if (hash && !initial && parse_value(tweak, ahead.value())) {
+            if (!initial && ((hash && parse_value(tweak, ahead.value())) || is_name_of_menu())) {
                 initial = Written{words.value(), at};
                 return;
             }
@@ -170,7 +191,9 @@ void TweakParser::parse_option(std::string_view key, std::size_t at, bool is_emp
             words.text();
         }
         if (!tweak.safe)
-            words.complain(value_at, "safe is two numbers, the smaller first; write safe=[0, 0.8]");
+            words.complain(value_at, tweak.names.empty() ? "safe is two numbers, the smaller "
+                                                           "first; write safe=[0, 0.8]"
+                                                         : kSafeOfMenu);
         return;
     } else if (key == "reference") {
         reference = Written{words.value(), value_at};
@@ -269,8 +292,7 @@ void TweakParser::check() {
     if (tweak.safe && !is_safe_within())
         words.complain(safe_at, tweak.names.empty()
                                     ? "safe is a part of the range; write it within [min, max]"
-                                    : "safe is a part of the menu; write safe=[0, 1] for the first "
-                                      "two of its names");
+                                    : kSafeOfMenu);
     if (tweak.log && !is_number_type())
         words.complain(log_at, "log is for numbers; take it out of this bool or menu");
     else if (tweak.log && (!tweak.min || *tweak.min <= 0.0))

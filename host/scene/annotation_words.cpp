@@ -16,6 +16,17 @@ bool is_space(char c) {
     return c == ' ' || c == '\t' || c == '\n' || c == '\v' || c == '\f';
 }
 
+// Of a name in quotes the signs are its own; a quote that nothing closes is one of these.
+std::size_t find_outside_quotes(std::string_view text, char sign, std::size_t from) {
+    for (std::size_t at = from; at < text.size(); ++at) {
+        if (text[at] == sign) return at;
+        if (text[at] != '"') continue;
+        const std::size_t close = text.find('"', at + 1);
+        if (close != text.npos) at = close;
+    }
+    return text.npos;
+}
+
 }  // namespace
 
 Words::Words(std::string_view text, std::vector<Complaint>& complaints)
@@ -84,7 +95,7 @@ std::string Words::text() {
 
 std::optional<std::string_view> Words::list(char close, std::size_t open_at) {
     const std::size_t begin = at_;
-    const std::size_t end = text_.find(close, begin);
+    const std::size_t end = find_outside_quotes(text_, close, begin);
     if (end == std::string_view::npos) {
         complain(open_at, fmt::format("this bracket is never closed; end it with {}", close));
         rest();
@@ -125,7 +136,7 @@ std::string_view Words::value() {
 std::vector<std::string_view> split(std::string_view list) {
     std::vector<std::string_view> parts;
     for (std::size_t begin = 0;;) {
-        const std::size_t comma = list.find(',', begin);
+        const std::size_t comma = find_outside_quotes(list, ',', begin);
         parts.push_back(trimmed(list.substr(begin, comma - begin)));
         if (comma == std::string_view::npos) return parts;
         begin = comma + 1;

@@ -20,6 +20,7 @@
 #include <functional>
 #include <iterator>
 #include <map>
+#include <optional>
 #include <set>
 #include <thread>
 #include <utility>
@@ -42,7 +43,14 @@ struct LeftOut {
 struct Inspection {
     const Preset& preset;
     CompiledScene uniform_fed, specialised;
+    std::optional<CompiledScene> heard, heard_specialised;  // of a scene with a sound
 };
+
+// Whether this is so of the picture or of the sound.
+bool holds(const CompiledScene& picture, const std::optional<CompiledScene>& sound,
+           const std::function<bool(const CompiledScene&)>& is_so) {
+    return is_so(picture) || (sound && is_so(*sound));
+}
 
 bool contains_pass(const CompiledScene& scene, std::size_t pass) {
     return std::ranges::any_of(scene.programs,
@@ -69,20 +77,26 @@ const char* why(bool possible) {
 
 std::vector<LeftOut> left_out(const Inspection& seen) {
     const Scene& scene = seen.preset.scene;
+    const auto could = [&](const auto& is_so) {
+        return holds(seen.uniform_fed, seen.heard, is_so);
+    };
+    const auto does = [&](const auto& is_so) {
+        return holds(seen.specialised, seen.heard_specialised, is_so);
+    };
     std::vector<LeftOut> list;
     for (std::size_t i = 0; i < scene.passes.size(); ++i) {
-        if (contains_pass(seen.specialised, i)) continue;
-        list.push_back({"pass " + scene.passes[i].name, why(contains_pass(seen.uniform_fed, i))});
+        const auto is_drawn = [&](const CompiledScene& of) { return contains_pass(of, i); };
+        if (!does(is_drawn)) list.push_back({"pass " + scene.passes[i].name, why(could(is_drawn))});
     }
     for (std::size_t i = 0; i < sampler_count(seen.preset); ++i) {
         const Sampler& sampler = sampler_at(seen.preset, i);
         if (sampler.source == Source::none || sampler.source == Source::buffer) continue;
-        if (reads_sampler(seen.specialised, i)) continue;
-        list.push_back({"sampler " + sampler.name, why(reads_sampler(seen.uniform_fed, i))});
+        const auto is_read = [&](const CompiledScene& of) { return reads_sampler(of, i); };
+        if (!does(is_read)) list.push_back({"sampler " + sampler.name, why(could(is_read))});
     }
     for (std::size_t i = 0; i < scene.tweaks.size(); ++i) {
-        if (reads_tweak(seen.uniform_fed, i)) continue;
-        list.push_back({"tweak " + scene.tweaks[i].name, "nothing reads it"});
+        const auto is_read = [&](const CompiledScene& of) { return reads_tweak(of, i); };
+        if (!could(is_read)) list.push_back({"tweak " + scene.tweaks[i].name, "nothing reads it"});
     }
     for (const GraphPass& pass : seen.specialised.graph.passes) {
         if (pass.pass == kImagePass || pass.feedback) continue;
@@ -338,12 +352,19 @@ void run_info(const InfoOptions& options, const Stopwatch&) {
     }
     const auto context = make_egl_context(options.view.device);
     Diagnostics told;  // by one form, and not again by the other
-    const Inspection seen{
-        .preset = preset,
-        .uniform_fed = compile_or_stop(preset, {.program = {.specialise = false}}, &told),
-        .specialised =
-            compile_or_stop(preset, {.program = {.specialise = options.view.specialise}}, &told)};
-    if (preset.scene.has_sound) compile_or_stop(preset, {.root = kSoundPass, .program = {}}, &told);
+    const auto compiled = [&](std::size_t root, bool specialise) {
+        return compile_or_stop(preset, {.root = root, .program = {.specialise = specialise}},
+                               &told);
+    };
+    Inspection seen{.preset = preset,
+                    .uniform_fed = compiled(kImagePass, false),
+                    .specialised = compiled(kImagePass, options.view.specialise),
+                    .heard = {},
+                    .heard_specialised = {}};
+    if (preset.scene.has_sound) {
+        seen.heard = compiled(kSoundPass, false);
+        seen.heard_specialised = compiled(kSoundPass, options.view.specialise);
+    }
     Json json = inspect(seen);
     json["renderer"] = context->renderer();
     json["copies"] =

@@ -2,6 +2,7 @@
 #include "offline/sequence.h"
 
 #include "measure/probe/cut_loops.h"
+#include "media/film.h"
 #include "verbs/options.h"
 #include "verbs/verb.h"
 
@@ -40,7 +41,10 @@ void declare(CLI::App& verb, SequenceOptions& sequence) {
 std::unique_ptr<Verb> sequence_verb() {
     return make_verb<SequenceOptions>(
         declare, [](const SequenceOptions& options, const Stopwatch&) {
-            say_cut_loops(run_sequence(options), {.view = options.view, .fps = options.fps});
+            const Preset drawn = run_sequence(options);
+            say_cut_loops(drawn, {.view = options.view, .fps = options.fps});
+            if (is_film(options.output) && has_sound(options.output))
+                say_cut_loops_of_sound(drawn, options.view);
         });
 }
 

@@ -1,6 +1,7 @@
 // `glint sound`: mainSound to a file.
 #include "offline/sound.h"
 
+#include "measure/probe/cut_loops.h"
 #include "verbs/options.h"
 #include "verbs/verb.h"
 
@@ -20,8 +21,9 @@ void declare(CLI::App& verb, SoundOptions& sound) {
 }  // namespace
 
 std::unique_ptr<Verb> sound_verb() {
-    return make_verb<SoundOptions>(
-        declare, [](const SoundOptions& options, const Stopwatch&) { run_sound(options); });
+    return make_verb<SoundOptions>(declare, [](const SoundOptions& options, const Stopwatch&) {
+        say_cut_loops_of_sound(run_sound(options), options.view);
+    });
 }
 
 }  // namespace glint

@@ -252,6 +252,17 @@ TEST_F(CheckEnds, OfASoundTheSampleIsTold) {
     EXPECT_NE(found.find("index 4 out of range; at 2.000 s"), std::string::npos) << found;
 }
 
+TEST_F(CheckEnds, OfASoundTheStartIsHeardInAnyTimeAndWhatIsNoNumberIsCounted) {
+    write("s.frag",
+          "vec2 mainSound(int samp, float time) { return vec2(sqrt(-time), 0.0); }\n"
+          "void mainImage(out vec4 c, in vec2 p) { c = vec4(0.5); }\n");
+    const Json found = report_of(
+        glint({"check", "s.frag", "--seconds", "3", "--size", "8x8", "--json", "--case", "sound"}),
+        6)["cases"][0];
+    EXPECT_EQ(found["nan"], 8191) << found;
+    EXPECT_EQ(found["inf"], 0) << found;
+}
+
 TEST_F(CheckEnds, AFailureOfAQualityIsDrawnAgainWithIt) {
     write("s.frag",
           "uniform int n; //@ 1 [1, 4] quality reference=4\n"

@@ -142,6 +142,20 @@ TEST_F(CheckUnset, OfALateWhileAndOfASoundToo) {
     EXPECT_NE(late.out.find("index 2 out of range"), std::string::npos) << late.out;
 }
 
+// Each reading of it begins with the same buffers.
+TEST_F(CheckUnset, ASoundOfABufferThatChangesCountsOnNothingUnset) {
+    write("scene.frag",
+          "uniform sampler2D sum; //@ pass mainSum format=rgba32f\n"
+          "void mainSum(out vec4 c, in vec2 p) {\n"
+          "    c = mod(texelFetch(sum, ivec2(p), 0) + 0.01, 1.0);\n}\n"
+          "vec2 mainSound(int samp, float time) {\n"
+          "    float x;\n    if (samp >= 0) x = 0.25;\n    if (time > 1e6) x += 1.0;\n"
+          "    return vec2(x * texelFetch(sum, ivec2(0), 0).x);\n}\n"
+          "void mainImage(out vec4 c, in vec2 p) { c = vec4(0.5); }\n");
+    const Outcome sound = glint({"check", "scene.frag", "--case", "sound", "--size", "8x8"});
+    EXPECT_EQ(sound.code, 0) << sound.out;
+}
+
 TEST_F(CheckUnset, WhatNothingReadsOfABufferMayStayUnset) {
     const auto scene = [&](const char* read) {
         write("scene.frag", std::string("uniform sampler2D trail; //@ pass mainTrail\n"

@@ -84,6 +84,19 @@ TEST_F(InfoAndBench, InfoTellsWhatWasLeftOutAndWhy) {
     EXPECT_FALSE(list.contains("sampler grain"));
 }
 
+TEST_F(InfoAndBench, InfoLeavesNothingOutThatTheSoundReads) {
+    write("heard.frag",
+          "uniform float hz; //@ 440 [20, 2000]\nuniform float idle; //@ 1 [0, 2]\n"
+          "uniform sampler2D grain; //@ noise rgba 16\nuniform sampler2D tab; //@ pass mainTab\n"
+          "void mainTab(out vec4 c, in vec2 p) { c = texelFetch(grain, ivec2(p) % 16, 0); }\n"
+          "vec2 mainSound(int samp, float time) {\n"
+          "    return texelFetch(tab, ivec2(samp % 8, 0), 0).xy * fract(time * hz);\n}\n"
+          "void mainImage(out vec4 c, in vec2 p) { c = vec4(1); }\n");
+    const auto list = left_out(json({"info", "heard.frag"}));
+    EXPECT_EQ(list.size(), 1u);
+    EXPECT_TRUE(list.contains("tweak idle"));
+}
+
 TEST_F(InfoAndBench, InfoHasTheDocumentedKeys) {
     const Json info = json({"info", "scene.frag", "--size", "64x36"});
     EXPECT_EQ(info["scene"], "scene.frag");

@@ -1,5 +1,6 @@
 // `glint sound`, and the sound of a film.
 #include "command.h"
+#include "media/image.h"
 
 #include <fmt/format.h>
 
@@ -171,6 +172,83 @@ TEST_F(Sound, AFilmCarriesItFromItsFirstFrameOn) {
         EXPECT_NEAR(static_cast<double>(samples.size() - 44) / 4, 44100.0, 2100.0);
         EXPECT_NEAR(loudest(10000, 15000), 16384, 1000);
         EXPECT_LT(loudest(28000, 40000), 300);
+    }
+}
+
+// A film's sound begins with its first frame, and what buffers keep is of all blocks before.
+TEST_F(Sound, OfABufferThatRemembersIsTheSameWhereverAFilmBegins) {
+    write("sums.frag",
+          "uniform sampler2D sum; //@ pass mainSum format=rgba32f\n"
+          "void mainSum(out vec4 c, in vec2 p) { c = texelFetch(sum, ivec2(p), 0) + 0.01; }\n"
+          "vec2 mainSound(int samp, float time) { return texelFetch(sum, ivec2(0), 0).xx; }\n"
+          "void mainImage(out vec4 c, in vec2 p) { c = vec4(1); }\n");
+    ASSERT_EQ(glint({"sound", "sums.frag", "-o", "a.wav", "--seconds", "3"}).code, 0);
+    const Outcome film = glint(
+        {"sequence", "sums.frag", "-o", "film.mov", "--frames", "120:130", "--size", "16x16"});
+    ASSERT_EQ(film.code, 0) << film.err;
+    const std::string decode =
+        fmt::format("cd '{}' && ffmpeg -nostdin -loglevel error -i film.mov -f s16le -ac 2 -y raw",
+                    folder().string());
+    ASSERT_EQ(std::system(decode.c_str()), 0);
+    EXPECT_EQ(bytes("raw").substr(0, 400), bytes("a.wav").substr(44 + 2 * 44100 * 4, 400));
+}
+
+TEST_F(Sound, TheBuffersThatItReadsAreAsLargeAsThePicture) {
+    write("tab.frag",
+          "uniform sampler2D tab; //@ pass mainTab\n"
+          "void mainTab(out vec4 c, in vec2 p) { c = vec4(p.x / 1000.0); }\n"
+          "vec2 mainSound(int samp, float time) {\n"
+          "    return texelFetch(tab, ivec2(samp % 640, 0), 0).xx;\n}\n"
+          "void mainImage(out vec4 c, in vec2 p) { c = vec4(1); }\n");
+    ASSERT_EQ(glint({"sound", "tab.frag", "-o", "a.wav", "--seconds", "1", "--size", "640x4"}).code,
+              0);
+    EXPECT_NEAR(sample(bytes("a.wav"), 600, 0), 0.6005 * 32767.0, 8.0);  // half a float's digits
+}
+
+TEST_F(Sound, LoopsThatTheDriverEndsAreTold) {
+    write("cut.frag",
+          "vec2 mainSound(int samp, float time) {\n    int n = 0;\n"
+          "    for (int i = 0; i < 100000; i++) n += (samp + i) & 1;\n"
+          "    return vec2(float(n) / 100000.0);\n}\n"
+          "void mainImage(out vec4 c, in vec2 p) { c = vec4(1); }\n");
+    for (const auto& words :
+         {std::vector<std::string>{"sound", "cut.frag", "-o", "a.wav", "--seconds", "0.1"},
+          {"sequence", "cut.frag", "-o", "a.mov", "--frames", "0:1", "--size", "16x16"}}) {
+        const Outcome made = glint(words);
+        EXPECT_EQ(made.code, 0);
+        EXPECT_NE(made.err.find("cut.frag:3:5: warning: llvmpipe has ended loops of sound"),
+                  std::string::npos)
+            << made.err;
+    }
+}
+
+TEST_F(Sound, BeyondWhatAnIntCountsIsToldAndItsTimeGoesOn) {
+    write("late.frag",
+          "vec2 mainSound(int samp, float time) { return vec2(samp < 0 ? -0.5 : 0.5, time < 0.0 ? "
+          "-0.25 : 0.25); }\nvoid mainImage(out vec4 c, in vec2 p) { c = vec4(1); }\n");
+    const Outcome film = glint({"sequence", "late.frag", "-o", "film.mov", "--frames",
+                                "3000000:3000001", "--size", "16x16"});
+    ASSERT_EQ(film.code, 0) << film.err;
+    EXPECT_NE(film.err.find("`samp` ends after 13 h 31 min"), std::string::npos) << film.err;
+    const std::string decode =
+        fmt::format("cd '{}' && ffmpeg -nostdin -loglevel error -i film.mov -f s16le -ac 2 -y raw",
+                    folder().string());
+    ASSERT_EQ(std::system(decode.c_str()), 0);
+    EXPECT_NEAR(sample(std::string(44, ' ') + bytes("raw"), 9, 1), 0.25 * 32767.0, 1.0);
+}
+
+// 0.3 s lies a rounding below three rounds of 0.1 s.
+TEST_F(Sound, WhereARoundBeginsItsTimeIsThatOfTheTextureZero) {
+    write("tone.frag", kTone);
+    ASSERT_EQ(glint({"sound", "tone.frag", "-o", "a.wav", "--seconds", "0.1"}).code, 0);
+    write(
+        "a.frag",
+        "uniform sampler2D iChannel0; //@ sound a.wav\nvoid mainImage(out vec4 c, in vec2 p) { c = "
+        "vec4(iChannelTime[0] * 5.0 + 0.0 * texture(iChannel0, p).x); }\n");
+    for (const char* time : {"0.1", "0.3", "0.6", "0.7", "1.2"}) {
+        ASSERT_EQ(glint({"still", "a.frag", "-o", "a.png", "--size", "4x4", "--time", time}).code,
+                  0);
+        EXPECT_EQ(read_image(folder() / "a.png").pixels[0], std::byte{0}) << time;
     }
 }
 

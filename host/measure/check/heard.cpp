@@ -61,6 +61,7 @@ public:
                                      left ? "left" : "right",
                                      static_cast<double>(sample) / kSampleRate, sample,
                                      where_words(situation, subject_)));
+            count(rgba);
             find_birth(frame);
             return false;
         }
@@ -108,6 +109,7 @@ public:
             SoundRenderer marked(subject_.opened(),
                                  {.specialise = false, .marked = Marked{range, mark}});
             answered();
+            sound_.renderer().reset();  // what its buffers keep begins alike
             const auto is_other = [&](long index, const Situation& one) {
                 return drawn(marked, index, one) != drawn(sound_, index, one);
             };
@@ -126,6 +128,15 @@ public:
     }
 
 private:
+    // The samples, left and right, that are no numbers.
+    void count(const std::vector<float>& rgba) {
+        for (std::size_t i = 0; i < rgba.size(); ++i) {
+            if (i % 4 > 1) continue;
+            result_.nan += std::isnan(rgba[i]) ? 1 : 0;
+            result_.infinite += std::isinf(rgba[i]) ? 1 : 0;
+        }
+    }
+
     void answered() const {  // what compiles, or draws, is no hang
         if (subject_.after_frame) subject_.after_frame();
     }
@@ -166,7 +177,7 @@ void run_sound_case(Check& check, CaseResult& result) {
     const std::vector<Situation> all = situations(check.subject, kEnds, kHeardSpread);
     if (!ear.ends_its_loops(0, all.front())) return;
     long index = 0;
-    for (; index <= block_at(kHeard) && !clock.is_over(kHeardShare); ++index)
+    for (; index <= block_at(kHeard) && (index == 0 || !clock.is_over(kHeardShare)); ++index)
         if (!ear.hears(index, all.front())) return;
     result.note =
         fmt::format("{:.0f} s", static_cast<double>(index * SoundRenderer::kBlock) / kSampleRate);

@@ -4,6 +4,7 @@
 #include "base/words.h"
 #include "measure/probe/loop_turns.h"
 #include "measure/probe/session.h"
+#include "offline/sound.h"
 #include "scene/lint.h"
 
 #include <fmt/format.h>
@@ -30,6 +31,14 @@ std::optional<Place> long_loop(const Preset& preset) {
     return findings.empty() ? std::nullopt : std::optional(findings.front().place);
 }
 
+void say_cut(const Place& place, const LoopTurns& turns, std::string_view what,
+             std::string_view over) {
+    say_diagnostic({Severity::warning, place,
+                    fmt::format("llvmpipe has ended loops of {} after {} turns, so that the {} is "
+                                "not what the text says: share the work out over {}",
+                                turns.pass(), kLoopBudget, what, over)});
+}
+
 }  // namespace
 
 void say_cut_loops(Preset preset, const ProbeOptions& options) {
@@ -44,13 +53,25 @@ void say_cut_loops(Preset preset, const ProbeOptions& options) {
         LoopTurns turns(session.preset(), session.renderer(), session.program_options());
         const Frame& frame = session.play_to(options);
         turns.count(frame, [&] { session.renderer().draw(frame); });
-        if (!turns.is_cut()) return;
-        say_diagnostic({Severity::warning, *place,
-                        fmt::format("llvmpipe has ended loops of {} after {} turns, so that the "
-                                    "picture is not what the text says: share the work out over "
-                                    "passes, samples or frames",
-                                    turns.pass(), kLoopBudget)});
+        if (turns.is_cut()) say_cut(*place, turns, "picture", "passes, samples or frames");
     } catch (const ProbeRefused&) {  // nobody can tell
+    }
+}
+
+void say_cut_loops_of_sound(const Preset& preset, const ViewOptions& view) {
+    const std::optional<Place> place = preset.scene.has_sound ? long_loop(preset) : std::nullopt;
+    if (!place) return;
+    const auto context = make_egl_context(view.device);
+    if (!ends_loops(*context)) return;
+    const ProgramOptions options{.specialise = view.specialise};
+    SoundRenderer sound(preset, options);
+    if (sound.renderer().graph().stateful) return;
+    try {
+        LoopTurns turns(preset, sound.renderer(), options);
+        const Frame frame = sound.frame_of(0);
+        turns.count(frame, [&] { sound.drawn(frame); });
+        if (turns.is_cut()) say_cut(*place, turns, "sound", "buffers");
+    } catch (const ProbeRefused&) {
     }
 }
 

@@ -11,4 +11,7 @@ namespace glint {
 // nothing of simulations, which another size changes.
 void say_cut_loops(Preset preset, const ProbeOptions& options);
 
+// The same of a scene's sound, if it has one, at its start. Makes a context of its own.
+void say_cut_loops_of_sound(const Preset& preset, const ViewOptions& view);
+
 }  // namespace glint

@@ -8,7 +8,8 @@ const RATE = 44100;
 // A context of WebGL of its own: 32-bit floats that are read back.
 export const makeSound = plan => {
     const gl = document.createElement("canvas").getContext("webgl2"), player = makePlayer(gl, plan, plan.sound);
-    const [w, h] = player.size = player.root.size, samples = w * h, blockSeconds = samples / RATE;
+    const [w, h] = player.root.size, samples = w * h, blockSeconds = samples / RATE;
+    player.size = plan.size;
     let context, timer;
     const sound = {
         async load(values) {
@@ -31,7 +32,10 @@ export const makeSound = plan => {
             const start = context.currentTime + 0.05 - time;
             let next = floor(time / blockSeconds);
             timer = setInterval(() => {
-                for (; start + next * blockSeconds < context.currentTime + 0.6; ++next) {
+                // What is made more slowly than it is heard has gaps, and the page goes on between two blocks.
+                const until = performance.now() + 50;
+                for (; start + next * blockSeconds < context.currentTime + 0.6 && performance.now() < until; ++next) {
+                    next = max(next, floor((context.currentTime - start) / blockSeconds));
                     const buffer = context.createBuffer(2, samples, RATE), at = start + next * blockSeconds;
                     sound.block(next).forEach((heard, side) => buffer.copyToChannel(heard, side));
                     const source = new AudioBufferSourceNode(context, {buffer});

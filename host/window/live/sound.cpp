@@ -42,10 +42,19 @@ std::vector<std::filesystem::path> sounds_of(const Preset& preset) {
 }
 
 LiveSound::Content LiveSound::content_of(const Preset& preset, std::vector<TweakValue> values) {
-    Content content{.text = preset.scene.text, .values = std::move(values), .files = {}};
+    Content content{
+        .text = preset.scene.text, .values = std::move(values), .samplers = {}, .files = {}};
     std::error_code error;
-    for (const std::filesystem::path& file : sounds_of(preset))
+    const auto add = [&](const std::filesystem::path& file) {
         content.files.emplace_back(file, std::filesystem::last_write_time(file, error));
+    };
+    for (const std::filesystem::path& file : sounds_of(preset)) add(file);
+    if (!preset.scene.has_sound) return content;
+    for (std::size_t i = 0; i < sampler_count(preset); ++i) {
+        const Sampler& sampler = sampler_at(preset, i);
+        content.samplers += sampler_facts(sampler) + '\n';
+        for (const std::filesystem::path& file : sampler.files) add(file);
+    }
     return content;
 }
 

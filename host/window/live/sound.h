@@ -43,6 +43,7 @@ private:
     struct Content {
         std::string text;
         std::vector<TweakValue> values;
+        std::string samplers;  // what fills them
         std::vector<std::pair<std::filesystem::path, std::filesystem::file_time_type>> files;
         bool operator==(const Content&) const = default;
     };
