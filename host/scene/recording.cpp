@@ -50,6 +50,11 @@ void Recorder::start(double time, const InputState& state, std::span<const Event
     seen_own_ = own_;
 }
 
+void Recorder::go_on_from(double time, const InputState& state) {
+    start(time, state);
+    forget_before(std::numeric_limits<double>::infinity());
+}
+
 void Recorder::Held::follow(const Event& event) {
     if (event.key >= 0) {
         keys[static_cast<std::size_t>(event.key)] = event.down;
@@ -111,7 +116,7 @@ void Recorder::frame(double time) {
 }
 
 void Recorder::forget_before(double time) {
-    constexpr double kLongAgo = std::numeric_limits<double>::lowest();
+    constexpr double kLongAgo = -std::numeric_limits<double>::infinity();
     const auto is_old = [time](const Event& event) { return event.time < time; };
     const auto kept = std::partition_point(events_.begin(), events_.end(), is_old);
     InputState state;

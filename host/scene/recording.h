@@ -37,6 +37,9 @@ public:
     void start(double time, const InputState& state, std::span<const Event> before = {},
                const InputReads& reads = {});
 
+    // The same, but what it has left is new to nobody.
+    void go_on_from(double time, const InputState& state);
+
     void mouse(glm::dvec2 fraction, bool down);
     void key(int code, bool down);
     // What a preset's events did, at its own time since the last frame.

@@ -210,6 +210,7 @@ void Playground::begin_file(bool is_constant) {
     opening_ = Opening::awaits_inputs;
     transport_ = Transport(preset_->time);
     input_ = {};
+    recent_ = {};
     extra_frames_ = frame_offset_ = 0;
     is_replayable_ = preset_->time == 0.0;  // else the first frame is a jump
 }

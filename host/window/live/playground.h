@@ -291,6 +291,7 @@ private:
     }
     void leave_constants();
     Frame next_frame(double wall_seconds);
+    void follow_events(double before, double time);
     void take_events_up_to(double time);
     void replay_events(double from, double to);
     Frame frame_again() const;

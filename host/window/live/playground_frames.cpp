@@ -5,9 +5,12 @@
 
 #include <algorithm>
 #include <ctime>
+#include <limits>
 
 namespace glint {
 namespace {
+
+constexpr double kLongAgo = -std::numeric_limits<double>::infinity();  // s
 
 Date local_now() {
     std::timespec now{};
@@ -84,26 +87,36 @@ Frame Playground::next_frame(double wall_seconds) {
     frame.frame_rate = instant_.frame_rate;
     frame.frame = instant_.frame;
     frame.date = shadertoy_date(local_now(), 0.0);
-    if (instant_.jumped && frame.time > 0.0 && !recorder.recording()) take_events_up_to(frame.time);
-    if (transport_.playing() && !instant_.jumped) replay_events(before, frame.time);
+    follow_events(before, frame.time);
     being_drawn_ = input_;
     frame.input = input_.next_frame(still_size());
     frame.mouse_size = still_size();
     frame.longest_catch_up = kLongestCatchUp;
     recorder.frame(frame.time);
     recent_.frame(frame.time);
-    if (!recent_.recording() || instant_.jumped) recent_.start(frame.time, input_);
     recent_.forget_before(frame.time - 4.0 * kLongestCatchUp);
     frame.events = recent_.events();
     return frame;
 }
 
+// Where time does not go on from the frame before, what is held or toggled by then is new to no
+// step of a simulation.
+void Playground::follow_events(double before, double time) {
+    if (recent_.recording() && !instant_.jumped) return replay_events(before, time);
+    if (time > 0.0 && !recorder.recording() && !preset_->events.empty())
+        return take_events_up_to(time);
+    recent_.go_on_from(kLongAgo, input_);
+    if (time == 0.0) replay_events(kLongAgo, time);
+}
+
 // After a jump the preset's events have brought the input to where they do in a still.
 void Playground::take_events_up_to(double time) {
-    if (preset_->events.empty()) return;
     const Playback playback{.end = time};
     const double before = (playback.last_frame() - 1) / playback.fps;
     input_ = input_after(preset_->events, before, time);
+    recent_.go_on_from(kLongAgo, {});
+    for (const Event& event : events_between(preset_->events, kLongAgo, time))
+        recent_.replayed(event);
 }
 
 // The preset's events go on while time does, also when a person has taken over.

@@ -155,5 +155,113 @@ TEST_F(OpenScene, KeepsItsStatesOverASaveOfWhatTheyDoNotHangOn) {
     EXPECT_TRUE(playground_->kept_states().empty());
 }
 
+// A scene whose two buffers, of which one is stepped, count presses of Space and clicks.
+class CountedInput : public OpenScene {
+protected:
+    using What = TimeEdit::What;
+    struct Counts {
+        int presses = 0, clicks = 0, held = 0;
+        bool operator==(const Counts&) const = default;
+    };
+    void open_at(const std::string& time) {
+        folder_.write(
+            "count.frag",
+            "uniform sampler2D keys; //@ keyboard\n"
+            "uniform sampler2D stepped; //@ pass mainStepped step=1/60 size=1x1 format=rgba32f\n"
+            "uniform sampler2D framed; //@ pass mainFramed size=1x1 format=rgba32f\n"
+            "vec4 counted(vec4 c) {\n"
+            "    return vec4(c.x + texelFetch(keys, ivec2(32, 1), 0).r, c.y + (iMouse.w > 0.0 ? "
+            "1.0 : 0.0), texelFetch(keys, ivec2(32, 0), 0).r, 0);\n}\n"
+            "void mainStepped(out vec4 c, in vec2 p) { c = counted(texelFetch(stepped, ivec2(0), "
+            "0)); }\n"
+            "void mainFramed(out vec4 c, in vec2 p) { c = counted(texelFetch(framed, ivec2(0), "
+            "0)); "
+            "}\n"
+            "void mainImage(out vec4 c, in vec2 p) {\n"
+            "    c = texelFetch(stepped, ivec2(0), 0) + texelFetch(framed, ivec2(0), 0);\n}\n");
+        playground_->open(folder_.write(
+            "count.toml", "scene = \"count.frag\"\ntime = " + time +
+                              "\nevents = [\n"
+                              "    { t = 0.0, key = \"space\", down = true },\n"
+                              "    { t = 0.2, key = \"space\", down = false },\n"
+                              "    { t = 0.5, key = \"space\", down = true },\n"
+                              "    { t = 0.6, key = \"space\", down = false },\n"
+                              "    { t = 0.7, mouse = [0.5, 0.5], down = true },\n"
+                              "    { t = 0.8, mouse = [0.5, 0.5], down = false },\n]\n"));
+        EXPECT_TRUE(follows_until([&] { return playground_->is_open(); }));
+        playground_->apply(What::pause);
+        rest();
+    }
+    void rest() {
+        for (int i = 0; i < 1000 && (i < 2 || playground_->wants_frame()); ++i)
+            playground_->draw(0.0);
+    }
+    void seek(double time) {
+        playground_->apply({.what = What::seek, .number = time, .loop = {}});
+        rest();
+    }
+    void step(int count) {
+        for (int i = 0; i < count; ++i) {
+            playground_->apply(What::step);
+            rest();
+        }
+    }
+    Counts counts(std::size_t index) {
+        const glm::vec4 c = playground_->renderer()->read_pixel(index, 0, {0, 0});
+        return {static_cast<int>(c.x), static_cast<int>(c.y), static_cast<int>(c.z)};
+    }
+    void expect(const Counts& wanted, const char* when) {
+        for (const std::size_t index : {0u, 1u})
+            EXPECT_EQ(counts(index), wanted)
+                << when << ", buffer " << index << " at " << playground_->instant().time << ": "
+                << counts(index).presses << " " << counts(index).clicks << " "
+                << counts(index).held;
+    }
+};
+
+TEST_F(CountedInput, NothingIsPressedAnewAfterAJump) {
+    open_at("0");
+    for (const double time : {1.41, 1.4, 0.55, 1.41}) {
+        seek(time);
+        const bool is_late = time > 0.8;
+        expect({2, is_late ? 1 : 0, is_late ? 0 : 1}, "after a jump");
+        step(2);
+        expect({2, is_late ? 1 : 0, is_late ? 0 : 1}, "after two steps more");
+    }
+}
+
+TEST_F(CountedInput, NothingIsPressedAnewWhereAPresetBeginsLate) {
+    open_at("1.41");
+    expect({2, 1, 0}, "opened");
+    step(2);
+    expect({2, 1, 0}, "after two steps more");
+}
+
+TEST_F(CountedInput, ThePresetsEventsGoOnStepByStep) {
+    open_at("0");
+    step(10);
+    expect({1, 0, 1}, "the event at 0");
+    step(50);
+    expect({2, 1, 0}, "all of them");
+}
+
+TEST_F(CountedInput, ARestartPressesNothingThatAPersonDidBefore) {
+    folder_.write("bare.toml", "scene = \"count.frag\"\n");
+    open_at("0");
+    playground_->open(folder_.path() / "bare.toml");
+    ASSERT_TRUE(follows_until([&] { return playground_->preset()->events.empty(); }));
+    playground_->apply(What::pause);
+    rest();
+    for (const bool down : {true, false}) {
+        playground_->key(32, down);
+        step(2);
+    }
+    expect({1, 0, 0}, "a person's press");
+    playground_->apply(What::reset);
+    rest();
+    step(2);
+    expect({}, "after the restart");
+}
+
 }  // namespace
 }  // namespace glint::playground_test
