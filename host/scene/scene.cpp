@@ -149,7 +149,7 @@ void Builder::check_image() {
     if (misses_a_part()) return;
     const NoPicture why = why_no_picture(reading_);
     if (why.at) return error(*why.at, why.text);
-    diagnostics_.push_back({Severity::error, Place{source_.files.front().string()}, why.text});
+    diagnostics_.push_back({Severity::error, {source_.files.front().string(), 1, 1}, why.text});
 }
 
 // A note's words, byte for byte, but with space for control characters (tabs too: messages and

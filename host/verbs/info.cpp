@@ -1,6 +1,7 @@
 // `glint info`: what a scene consists of, and what was left out.
 
 #include "base/json_text.h"
+#include "base/readable_file.h"
 #include "base/say.h"
 #include "base/workers.h"
 #include "gl/context.h"
@@ -22,6 +23,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <stdexcept>
 #include <thread>
 #include <utility>
 
@@ -342,6 +344,22 @@ void print_tables(const Inspection& seen, const Json& json) {
     print_findings(json);
 }
 
+// Of what is read and not here, though the text is right.
+Diagnostics missing_files(const Inspection& seen) {
+    Diagnostics missing;
+    for (std::size_t i = 0; i < sampler_count(seen.preset); ++i) {
+        const auto is_read = [&](const CompiledScene& of) { return reads_sampler(of, i); };
+        if (!holds(seen.specialised, seen.heard_specialised, is_read)) continue;
+        const Sampler& sampler = sampler_at(seen.preset, i);
+        try {
+            for (const auto& file : sampler.files) require_readable(file);
+        } catch (const std::runtime_error& error) {
+            missing.push_back({Severity::error, sampler.place, error.what(), true});
+        }
+    }
+    return missing;
+}
+
 void run_info(const InfoOptions& options, const Stopwatch&) {
     const Preset preset = open_preset(options.view);
     if (!options.source.empty()) {
@@ -374,6 +392,7 @@ void run_info(const InfoOptions& options, const Stopwatch&) {
         say_result("{}\n", json_text(json));
     else
         print_tables(seen, json);
+    report(missing_files(seen));
 }
 
 void declare(CLI::App& verb, InfoOptions& info) {

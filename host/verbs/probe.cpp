@@ -11,7 +11,8 @@ void declare(CLI::App& verb, ProbeOptions& probe) {
     verb.add_option("--at", probe.at,
                     "X,Y of the pixel, from 0,0 at the bottom left as fragCoord counts; the middle "
                     "otherwise");
-    verb.add_option("--pass", probe.pass, "of this buffer instead of the picture");
+    verb.add_option("--pass", probe.pass, "of this buffer instead of the picture")
+        ->type_name(kPass);
     verb.add_option("--face", probe.face, "of a cube: 0 to 5, +X -X +Y -Y +Z -Z")
         ->check(from(0, 5));
     verb.add_option("--time", probe.time, "s; the preset's otherwise")->check(from(0.0, 1e9));

@@ -263,6 +263,20 @@ TEST_F(CheckEnds, OfASoundTheStartIsHeardInAnyTimeAndWhatIsNoNumberIsCounted) {
     EXPECT_EQ(found["inf"], 0) << found;
 }
 
+// The preset's own values explode, and those of the case do not.
+TEST_F(CheckEnds, WhatThePresetDoesIsNotTheCases) {
+    write("s.frag",
+          "uniform float gain; //@ 1.5 [0.5, 2] \"factor a frame\"\n"
+          "uniform sampler2D s; //@ pass mainS size=16\n"
+          "void mainS(out vec4 c, in vec2 p) {\n"
+          "    c = vec4(texelFetch(s, ivec2(p), 0).r * gain + 0.1);\n}\n"
+          "void mainImage(out vec4 c, in vec2 p) {\n"
+          "    c = vec4(vec3(texelFetch(s, ivec2(mod(p, 16.0)), 0).r), 1.0);\n}\n");
+    const Outcome low = glint({"check", "s.frag", "--case", "gain=0.5 for long", "--size", "8x8"});
+    EXPECT_EQ(low.code, 0) << low.out;
+    EXPECT_EQ(glint({"check", "s.frag", "--case", "gain=2 for long", "--size", "8x8"}).code, 6);
+}
+
 TEST_F(CheckEnds, AFailureOfAQualityIsDrawnAgainWithIt) {
     write("s.frag",
           "uniform int n; //@ 1 [1, 4] quality reference=4\n"

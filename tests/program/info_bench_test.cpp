@@ -97,6 +97,17 @@ TEST_F(InfoAndBench, InfoLeavesNothingOutThatTheSoundReads) {
     EXPECT_TRUE(list.contains("tweak idle"));
 }
 
+TEST_F(InfoAndBench, InfoTellsOfFilesThatAreMissing) {
+    write("im.frag",
+          "uniform sampler2D b; //@ image wod.jpg\nuniform sampler2D c; //@ image unread.jpg\n"
+          "void mainImage(out vec4 o, in vec2 p) { o = texture(b, p / iResolution.xy); }\n");
+    const Outcome info = glint({"info", "im.frag", "--json"});
+    EXPECT_EQ(info.code, 4);
+    EXPECT_TRUE(info.err.starts_with("im.frag:1:19: error: Cannot read wod.jpg")) << info.err;
+    EXPECT_EQ(info.err.find("unread"), std::string::npos) << info.err;
+    EXPECT_EQ(Json::parse(info.out)["passes"].size(), 1u);
+}
+
 TEST_F(InfoAndBench, InfoHasTheDocumentedKeys) {
     const Json info = json({"info", "scene.frag", "--size", "64x36"});
     EXPECT_EQ(info["scene"], "scene.frag");

@@ -156,7 +156,6 @@ void run_end(std::size_t tweak, double value, Check& check, CaseResult& result) 
     TweakValue filled{};
     filled.fill(value);
     const float usual = usual_largest(check);
-    if (!check.subject.observed().is_finite()) return;
     check.subject.preset.values[tweak] =
         clamp_to_range(check.subject.scene().tweaks[tweak], filled);
     StateCurves curves;
@@ -359,7 +358,7 @@ float usual_largest(Check& check) {
     StateCurves curves;
     Invariants invariants(check.subject);
     play_curves(check, check.paced(kEndured, kLeastEndured), curves, invariants);
-    check.subject.renderer().reset();
+    check.subject.restore();  // what is no number there is another case's to tell
     check.usual_largest = curves.largest();
     return *check.usual_largest;
 }
