@@ -166,9 +166,13 @@ Preset open_preset_again(const ViewOptions& options) {
     return std::move(*read.preset);
 }
 
-std::size_t find_pass(const Scene& scene, const std::string& name) {
+std::size_t find_pass(const Scene& scene, const std::string& name, bool or_sound) {
     if (name == "image") return kImagePass;
     std::vector<std::string> names = {"image"};
+    if (or_sound && scene.has_sound) {
+        if (name == "sound") return kSoundPass;
+        names.emplace_back("sound");
+    }
     for (std::size_t i = 0; i < scene.passes.size(); ++i) {
         for (const std::string& output : scene.passes[i].outputs) {
             if (output == name) return i;

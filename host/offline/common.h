@@ -95,8 +95,9 @@ Preset open_preset(const ViewOptions& options);
 // The same of one of which all has been said.
 Preset open_preset_again(const ViewOptions& options);
 
-// The pass of this name, or kImagePass for "image". Throws UsageError that lists the names.
-std::size_t find_pass(const Scene& scene, const std::string& name);
+// The pass of this name, or kImagePass for "image", and kSoundPass for "sound" where that may be
+// meant. Throws UsageError that lists the names.
+std::size_t find_pass(const Scene& scene, const std::string& name, bool or_sound = false);
 
 // What is said of a pass that the driver would never finish compiling; see GiveUp.
 Diagnostic given_up(const Preset& preset, std::size_t pass, const std::string& why);

@@ -363,8 +363,7 @@ Diagnostics missing_files(const Inspection& seen) {
 void run_info(const InfoOptions& options, const Stopwatch&) {
     const Preset preset = open_preset(options.view);
     if (!options.source.empty()) {
-        const bool sound = options.source == "sound" && preset.scene.has_sound;
-        const std::size_t pass = sound ? kSoundPass : find_pass(preset.scene, options.source);
+        const std::size_t pass = find_pass(preset.scene, options.source, true);
         say_result("{}", pass_text(preset, pass, {.specialise = options.view.specialise}).text);
         return;
     }
