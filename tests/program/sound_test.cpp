@@ -28,6 +28,14 @@ protected:
         std::memcpy(&value, wav.data() + 44 + (index * 2 + channel) * 2, 2);
         return value;
     }
+    // The pairs of any file with sound, without a head.
+    std::string decoded(const std::string& name) {
+        const std::string decode = fmt::format(
+            "cd '{}' && ffmpeg -nostdin -loglevel error -i {} -f s16le -ac 2 -ar 44100 -y raw",
+            folder().string(), name);
+        EXPECT_EQ(std::system(decode.c_str()), 0);
+        return bytes("raw");
+    }
 };
 
 TEST_F(Sound, IsAWavOfEverySampleInOrderAcrossBlocks) {
@@ -157,12 +165,7 @@ TEST_F(Sound, AFilmCarriesItFromItsFirstFrameOn) {
         const Outcome outcome = glint({"sequence", "tone.frag", "-o", name, "--frames", "15:44",
                                        "--fps", "30", "--size", "64x36"});
         ASSERT_EQ(outcome.code, 0) << outcome.err;
-        const std::string decode = fmt::format(
-            "cd '{}' && ffmpeg -nostdin -loglevel error -i {} -f s16le -ac 2 -ar 44100 -y raw",
-            folder().string(), name);
-        ASSERT_EQ(std::system(decode.c_str()), 0);
-        const std::string raw(44, ' ');
-        const std::string samples = raw + bytes("raw");
+        const std::string samples = std::string(44, ' ') + decoded(name);
         const auto loudest = [&](long from, long to) {
             int most = 0;
             for (long i = from; i < to; ++i) most = std::max(most, std::abs(sample(samples, i, 0)));
@@ -186,11 +189,7 @@ TEST_F(Sound, OfABufferThatRemembersIsTheSameWhereverAFilmBegins) {
     const Outcome film = glint(
         {"sequence", "sums.frag", "-o", "film.mov", "--frames", "120:130", "--size", "16x16"});
     ASSERT_EQ(film.code, 0) << film.err;
-    const std::string decode =
-        fmt::format("cd '{}' && ffmpeg -nostdin -loglevel error -i film.mov -f s16le -ac 2 -y raw",
-                    folder().string());
-    ASSERT_EQ(std::system(decode.c_str()), 0);
-    EXPECT_EQ(bytes("raw").substr(0, 400), bytes("a.wav").substr(44 + 2 * 44100 * 4, 400));
+    EXPECT_EQ(decoded("film.mov").substr(0, 400), bytes("a.wav").substr(44 + 2 * 44100 * 4, 400));
 }
 
 TEST_F(Sound, TheBuffersThatItReadsAreAsLargeAsThePicture) {
@@ -230,11 +229,7 @@ TEST_F(Sound, BeyondWhatAnIntCountsIsToldAndItsTimeGoesOn) {
                                 "3000000:3000001", "--size", "16x16"});
     ASSERT_EQ(film.code, 0) << film.err;
     EXPECT_NE(film.err.find("`samp` ends after 13 h 31 min"), std::string::npos) << film.err;
-    const std::string decode =
-        fmt::format("cd '{}' && ffmpeg -nostdin -loglevel error -i film.mov -f s16le -ac 2 -y raw",
-                    folder().string());
-    ASSERT_EQ(std::system(decode.c_str()), 0);
-    EXPECT_NEAR(sample(std::string(44, ' ') + bytes("raw"), 9, 1), 0.25 * 32767.0, 1.0);
+    EXPECT_NEAR(sample(std::string(44, ' ') + decoded("film.mov"), 9, 1), 0.25 * 32767.0, 1.0);
 }
 
 // 0.3 s lies a rounding below three rounds of 0.1 s.
@@ -256,13 +251,6 @@ TEST_F(Sound, FlacHoldsTheSameSamplesAndOggTheSameSound) {
     write("tone.frag", kTone);
     for (const char* name : {"a.wav", "a.flac", "a.ogg"})
         ASSERT_EQ(glint({"sound", "tone.frag", "-o", name, "--seconds", "2"}).code, 0) << name;
-    const auto decoded = [&](const std::string& name) {
-        const std::string decode = fmt::format(
-            "cd '{}' && ffmpeg -nostdin -loglevel error -i {} -f s16le -ac 2 -ar 44100 -y raw",
-            folder().string(), name);
-        EXPECT_EQ(std::system(decode.c_str()), 0);
-        return bytes("raw");
-    };
     EXPECT_EQ(decoded("a.flac"), bytes("a.wav").substr(44));
     EXPECT_NEAR(static_cast<double>(decoded("a.ogg").size()), 2 * 44100 * 4, 4);
 }
