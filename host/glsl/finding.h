@@ -32,8 +32,10 @@ std::vector<Finding> find_taken_by_mesa(const Reading& reading);
 
 // Each of these looks into the functions alone for which `wanted`, by function, says so.
 
-// Names that hide others: a local or a parameter what stands outside of it, a function one of GLSL.
-std::vector<Finding> find_shadowed_names(const Reading& reading, const std::vector<bool>& wanted);
+// Names that hide others: a local or a parameter what stands outside of it, or what the host
+// declares, a function one of GLSL.
+std::vector<Finding> find_shadowed_names(const Reading& reading, const std::vector<bool>& wanted,
+                                         bool (*is_hosts)(std::string_view) = nullptr);
 
 // Loops whose turns, with those of loops within them and of what they call, may come to more than
 // llvmpipe lets a pixel have; and loops in which nothing can be read that ends them. `known` are

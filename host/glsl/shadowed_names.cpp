@@ -110,8 +110,9 @@ struct Name {
 
 class ShadowFinder {
 public:
-    ShadowFinder(const Reading& reading, const std::vector<bool>& wanted)
-        : reading_(reading), wanted_(wanted) {
+    ShadowFinder(const Reading& reading, const std::vector<bool>& wanted,
+                 bool (*is_hosts)(std::string_view))
+        : reading_(reading), wanted_(wanted), is_hosts_(is_hosts) {
         const auto end = static_cast<std::uint32_t>(reading.tokens.size());
         for (const Function& function : reading.functions)
             outside_[reading.word(function.name)].push_back({function.name, end, "function"});
@@ -165,6 +166,12 @@ private:
                                  fmt::format("the {} `{}` hides the {} of this name", name.what,
                                              word, hidden->what),
                                  reading_.place(hidden->token).begin});
+        else if (known.empty() && is_hosts_ && is_hosts_(word))
+            findings_.push_back(
+                {"shadowed-name",
+                 reading_.place(name.token).begin,
+                 fmt::format("the {} `{}` hides the host's uniform of this name", name.what, word),
+                 {}});
         known.push_back(name);
     }
 
@@ -182,6 +189,7 @@ private:
 
     const Reading& reading_;
     const std::vector<bool>& wanted_;
+    bool (*is_hosts_)(std::string_view);
     std::unordered_map<std::string_view, std::vector<Name>> outside_, inside_;
     std::vector<Finding> findings_;
 };
@@ -192,8 +200,9 @@ std::span<const std::string_view> built_in_functions() {
     return kBuiltIn;
 }
 
-std::vector<Finding> find_shadowed_names(const Reading& reading, const std::vector<bool>& wanted) {
-    return ShadowFinder(reading, wanted).find();
+std::vector<Finding> find_shadowed_names(const Reading& reading, const std::vector<bool>& wanted,
+                                         bool (*is_hosts)(std::string_view)) {
+    return ShadowFinder(reading, wanted, is_hosts).find();
 }
 
 std::vector<Finding> find_reserved_names(const Reading& reading, const std::vector<bool>& wanted) {

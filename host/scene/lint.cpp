@@ -3,6 +3,7 @@
 #include "base/canonical_name.h"
 #include "base/words.h"
 #include "glsl/finding.h"
+#include "scene/builtin.h"
 #include "scene/scene_text.h"
 
 #include <fmt/format.h>
@@ -223,7 +224,9 @@ void Linter::look_into_functions() {
                 add(one.name, scene_.place_at(one.at), std::move(text));
             }
         };
-        add_all(find_shadowed_names(view.reading, view.reached));
+        add_all(find_shadowed_names(view.reading, view.reached, [](std::string_view name) {
+            return find_builtin(name) != nullptr;
+        }));
         add_all(find_reserved_names(view.reading, view.reached));
         add_all(find_refused_by_browsers(view.reading, view.reached));
         add_all(find_long_loops(view.reading, view.reached, values));

@@ -61,6 +61,18 @@ TEST(ShadowedNames, OfAFunctionThatGlslHas) {
               List{"shadowed-name 2"});
 }
 
+TEST(ShadowedNames, OfWhatTheHostDeclaresUnlessTheTextDoesItself) {
+    const auto found_in = [](const std::string& text) {
+        const Reading reading = read_glsl(text, known_of_driver());
+        return find_shadowed_names(reading, std::vector<bool>(reading.functions.size(), true),
+                                   [](std::string_view name) { return name == "iTime"; })
+            .size();
+    };
+    EXPECT_EQ(found_in("float f(float iTime) { return iTime; }\n"), 1u);
+    EXPECT_EQ(found_in("void f() { float iTime = 1.0, time = iTime; }\n"), 1u);
+    EXPECT_EQ(found_in("struct S { float iTime; };\nfloat f(S s) { return s.iTime; }\n"), 0u);
+}
+
 TEST(ShadowedNames, InAMacroStandAtItsUse) {
     EXPECT_EQ(
         found("#define TWICE { float t = 1.0; { float t = 2.0; } }\nvoid f() {\n  TWICE\n}\n"),
