@@ -193,10 +193,10 @@ void Exporter::warn_of_files() {
     std::map<std::string, std::string> path_of;
     for (const Tab& tab : tabs_)
         for (const auto& channel : channels_of(tab)) {
-            if (!channel) continue;
-            const Sampler& sampler = sampler_at(preset_, *channel);
-            const std::string path = sampler.files.empty() ? "" : sampler.files.front().string();
-            const auto [known, is_new] = path_of.emplace(file_name(sampler), path);
+            if (!channel || sampler_at(preset_, *channel).files.empty()) continue;
+            const fs::path& file = sampler_at(preset_, *channel).files.front();
+            const std::string path = file.lexically_normal().string();
+            const auto [known, is_new] = path_of.emplace(file.filename().string(), path);
             if (!is_new && known->second != path)
                 warn(fmt::format(
                     "{} and {} have one name, and an import takes one file for both; rename one",
@@ -209,9 +209,13 @@ const PassProgram& Exporter::program_of(const Tab& tab) const {
 }
 
 const Tab& Exporter::tab_of(const Sampler& sampler) const {
-    return *std::ranges::find_if(tabs_, [&](const Tab& tab) {
-        return tab.pass == sampler.pass && tab.output == sampler.output;
+    const auto tab = std::ranges::find_if(tabs_, [&](const Tab& one) {
+        return one.pass == sampler.pass && one.output == sampler.output;
     });
+    if (tab == tabs_.end())
+        throw UsageError(fmt::format("The sound alone reads {}; the site has no buffers for sound.",
+                                     sampler.name));
+    return *tab;
 }
 
 // Which channels a pass's text asks for, be it for their size or time alone.
@@ -324,14 +328,6 @@ std::optional<glm::ivec2> Exporter::own_size(const Tab& tab) const {
     const glm::ivec2 size = buffer_size(pass, preset_.size);
     return size == (pass.cube ? glm::ivec2(1024) : preset_.size) ? std::nullopt
                                                                  : std::optional(size);
-}
-
-// What a reader sees of channels that the buffer has not.
-std::string missing_channels_text(PixelFormat format, const std::string& colour) {
-    const int channels = channel_count(format);
-    if (channels == 4) return {};
-    return fmt::format("    {0} = vec4({0}.{1}, 1.0);\n", colour,
-                       channels == 1 ? "r, 0.0, 0.0" : "rg, 0.0");
 }
 
 // mainImage, where the pass's function has another name or several outputs.

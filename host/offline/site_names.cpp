@@ -57,17 +57,18 @@ bool speaks_of(const Reading& reading, std::string_view word) {
     return std::ranges::any_of(reading.written, [&](const Token& token) { return token.is(word); });
 }
 
-// What cannot be changed within a macro's use is changed in the macro.
+// Where it is spelled, also in a macro and in the arguments of a use. What one macro means both
+// ways is written out.
 void rename(const Reading& reading, const Places& places, const SiteName& name, Edits& edits) {
-    const bool takes_all = std::ranges::all_of(
-        places.hosts, [&](std::uint32_t at) { return edits.takes_replacement(at); });
-    if (takes_all) {
-        for (const std::uint32_t at : places.hosts) edits.replace({at, at + 1}, name.words);
-        return;
+    const auto spelled_at = [&](std::uint32_t at) { return reading.tokens[at].begin; };
+    for (const std::uint32_t at : places.hosts) {
+        const bool means_both = std::ranges::any_of(
+            places.own, [&](std::uint32_t other) { return spelled_at(other) == spelled_at(at); });
+        if (means_both)
+            edits.replace({at, at + 1}, name.words);
+        else if (!edits.is_replaced(reading.tokens[at].span()))
+            edits.replace_bytes(reading.tokens[at].span(), name.words);
     }
-    for (std::size_t i = 0; i < reading.written.size(); ++i)
-        if (reading.written[i].is(name.name) && (i == 0 || !reading.written[i - 1].is(".")))
-            edits.replace_bytes(reading.written[i].span(), name.words);
 }
 
 }  // namespace

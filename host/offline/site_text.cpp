@@ -110,4 +110,11 @@ std::string without_heads(const std::string& text) {
     return kept + '\n';
 }
 
+std::string missing_channels_text(PixelFormat format, const std::string& colour) {
+    const int channels = channel_count(format);
+    if (channels == 4) return {};
+    return fmt::format("    {0} = vec4({0}.{1}, 1.0);\n", colour,
+                       channels == 1 ? "r, 0.0, 0.0" : "rg, 0.0");
+}
+
 }  // namespace glint

@@ -25,4 +25,8 @@ SiteText site_text(const Preset& preset, std::size_t pass);
 // and without empty lines at both ends.
 std::string without_heads(const std::string& text);
 
+// A statement at the end of what fills a buffer of this format: what a reader sees of channels that
+// it has not. `colour`: the variable.
+std::string missing_channels_text(PixelFormat format, const std::string& colour);
+
 }  // namespace glint

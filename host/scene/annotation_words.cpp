@@ -16,12 +16,14 @@ bool is_space(char c) {
     return c == ' ' || c == '\t' || c == '\n' || c == '\v' || c == '\f';
 }
 
-// Of a name in quotes the signs are its own; a quote that nothing closes is one of these.
+// Where a name begins with a quote that is closed the signs in it are its own.
 std::size_t find_outside_quotes(std::string_view text, char sign, std::size_t from) {
+    bool begins = true;
     for (std::size_t at = from; at < text.size(); ++at) {
         if (text[at] == sign) return at;
-        if (text[at] != '"') continue;
-        const std::size_t close = text.find('"', at + 1);
+        const std::size_t close =
+            begins && text[at] == '"' ? text.find('"', at + 1) : std::string_view::npos;
+        begins = text[at] == ',' || (begins && is_space(text[at]));
         if (close != text.npos) at = close;
     }
     return text.npos;

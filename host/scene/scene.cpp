@@ -44,7 +44,8 @@ private:
     void check_builtin(const Uniform& declaration, const UniformName& declarator);
     void blank_builtins(const Uniform& declaration);
     bool claim_name(const UniformName& declarator, const std::string& tab);
-    bool is_known_tweak(const Uniform& declaration);
+    bool is_known_tweak(const Uniform& declaration, Span note);
+    std::string words_of(const Uniform& declaration, Span note) const;
     std::string tab_of(const Uniform& declaration, Span note) const;
     std::string tab_at(std::size_t offset) const;
     void warn_unannotated(const Uniform& declaration);
@@ -91,7 +92,9 @@ private:
     std::vector<Tab> tabs_;
     // Name to offset; a sampler of one tab as "PASS_bufferA iChannel0".
     std::unordered_map<std::string, std::size_t> declared_;
-    std::unordered_map<std::string, std::size_t> pass_of_;  // function to index of pass
+    std::unordered_map<std::string, std::string> tweak_words_;  // by name; see words_of()
+    std::unordered_set<std::size_t> told_mains_;                // bytes
+    std::unordered_map<std::string, std::size_t> pass_of_;      // function to index of pass
     std::vector<Reader> readers_;
     std::vector<std::pair<std::string, std::size_t>> seconds_;  // of tweaks: names, and bytes
     std::vector<std::size_t> entries_;  // by pass: where its function is named
@@ -129,7 +132,9 @@ Scene Builder::build() {
 // What is wrong with it is told.
 bool Builder::draws_by_main(const std::vector<std::string>& outputs) {
     const OwnMain main = own_main_for(reading_, outputs);
-    if (main.wrong) error(main.wrong->at.value_or(0), main.wrong->text);
+    // Several passes may have the same main().
+    if (main.wrong && told_mains_.insert(main.wrong->at.value_or(0)).second)
+        error(main.wrong->at.value_or(0), main.wrong->text);
     return main.draws;
 }
 
@@ -268,7 +273,7 @@ void Builder::add_annotated(const Uniform& declaration, Span note) {
         return error(name_at, fmt::format("{} is the host's own; give this uniform another name, "
                                           "or take the annotation away",
                                           in_quotes(declarator.name)));
-    if (tweak && is_known_tweak(declaration)) return;
+    if (tweak && is_known_tweak(declaration, note)) return;
     if (!claim_name(declarator, sampler ? tab_of(declaration, note) : "")) return;
     if (tweak) return add_tweak(declaration, *tweak, note);
     add_sampler(declaration, *sampler, note);
@@ -288,20 +293,22 @@ std::string Builder::tab_at(std::size_t offset) const {
 }
 
 // One that other tabs declare in the same words.
-bool Builder::is_known_tweak(const Uniform& declaration) {
+bool Builder::is_known_tweak(const Uniform& declaration, Span note) {
     const std::string_view name = declaration.names.front().name;
     const auto known = std::ranges::find(scene_.tweaks, name, &Tweak::name);
     const std::string tab = tab_at(declaration.span.begin);
     if (known == scene_.tweaks.end() || tab.empty()) return false;
-    const auto line = [&](Span span) {
-        return source_.text.substr(span.begin, source_.text.find('\n', span.begin) - span.begin);
-    };
-    const bool is_alike = std::ranges::all_of(known->declarations, [&](Span other) {
-        const std::string its = tab_at(other.begin);
-        return !its.empty() && its != tab && line(other) == line(declaration.span);
-    });
+    const bool is_alike = words_of(declaration, note) == tweak_words_[known->name] &&
+                          std::ranges::all_of(known->declarations, [&](Span other) {
+                              const std::string its = tab_at(other.begin);
+                              return !its.empty() && its != tab;
+                          });
     if (is_alike) known->declarations.push_back(declaration.span);
     return is_alike;
+}
+
+std::string Builder::words_of(const Uniform& declaration, Span note) const {
+    return fmt::format("{} {}", declaration.type, trimmed(note_text(note)));
 }
 
 bool Builder::claim_name(const UniformName& declarator, const std::string& tab) {
@@ -315,8 +322,8 @@ bool Builder::claim_name(const UniformName& declarator, const std::string& tab) 
     if (is_new) return true;
     if (reading_.open_condition) return false;  // which is told
     const Place first = source_.place(entry->second);
-    const std::string other = tab_at(entry->second);
-    const bool is_of_tabs = !other.empty() && other != tab_at(declarator.span.begin);
+    const std::string other = tab_at(entry->second), own = tab_at(declarator.span.begin);
+    const bool is_of_tabs = !other.empty() && !own.empty() && other != own && tab.empty();
     error(declarator.span.begin,
           fmt::format("{} is declared already at {}:{}; {}", in_quotes(declarator.name), first.file,
                       first.line,
@@ -344,6 +351,7 @@ void Builder::add_tweak(const Uniform& declaration, TweakType type, Span note) {
     if (!report(complaints, note)) return;
     if (!tweak.second.empty())
         seconds_.push_back({tweak.name, note.begin + note_text(note).find("second=")});
+    tweak_words_[tweak.name] = words_of(declaration, note);
     scene_.tweaks.push_back(std::move(tweak));
 }
 
@@ -557,19 +565,6 @@ void Builder::blank_builtins(const Uniform& declaration) {
         before = declarator.span.end;
     }
     if (!keeps_any) blank(declaration.span.begin, declaration.span.end);
-}
-
-// A stranger's shader may name files in words that only Glint knows.
-void refuse_outside(const std::filesystem::path& json, ReadScene& read) {
-    const auto outside = files_outside(read, json.parent_path());
-    if (outside.empty()) return;
-    read.diagnostics.push_back(
-        {Severity::error,
-         {json.string()},
-         fmt::format("its code names {}, which is outside its folder; `glint import --anywhere` "
-                     "makes a scene of it",
-                     in_quotes(outside.front().string())),
-         true});
 }
 
 }  // namespace

@@ -14,6 +14,8 @@
 
 namespace glint {
 
+struct ReadScene;
+
 // In the order in which the site draws them.
 inline constexpr std::array<std::string_view, 8> kShadertoyTabs = {
     "common", "bufferA", "bufferB", "bufferC", "bufferD", "cubeA", "image", "sound"};
@@ -71,5 +73,9 @@ std::string scene_text(const Shadertoy& shader, const std::filesystem::path& fro
 // Of a scene that is kept as a shader of the site: the first in the file. Its places are those of
 // the scene file that `glint import` would write.
 SourceText imported_source(const std::filesystem::path& json, Diagnostics& diagnostics);
+
+// A stranger's shader may name files in words that only Glint knows: what leads out of its folder
+// is an error.
+void refuse_outside(const std::filesystem::path& json, ReadScene& read);
 
 }  // namespace glint

@@ -420,4 +420,16 @@ SourceText imported_source(const fs::path& json, Diagnostics& diagnostics) {
     return made_source(scene, json, text, known_of_scene(), diagnostics);
 }
 
+void refuse_outside(const fs::path& json, ReadScene& read) {
+    const auto outside = files_outside(read, json.parent_path());
+    if (outside.empty()) return;
+    read.diagnostics.push_back(
+        {Severity::error,
+         {json.string()},
+         fmt::format("its code names {}, which is outside its folder; `glint import --anywhere` "
+                     "makes a scene of it",
+                     in_quotes(outside.front().string())),
+         true});
+}
+
 }  // namespace glint

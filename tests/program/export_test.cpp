@@ -221,6 +221,39 @@ TEST_F(Export, NamesThatTheTextGivesToItsOwnAreNotTheSamplers) {
     }
 }
 
+// Macros that may be either, or whose words are others later, are renamed where they are spelled.
+TEST_F(Export, AMacroThatCannotBeWrittenOutIsRenamedInItself) {
+    for (const char* macro :
+         {"#ifdef GL_OES_standard_derivatives\n#define READ(s) texelFetch(s, ivec2(q), 0)\n#else\n"
+          "#define READ(s) texelFetch(s, ivec2(q), 0)\n#endif\n",
+          "#define READ(s) texelFetch(s, ivec2(q), 0) * gain\n#define gain 3.0\n"}) {
+        write(
+            "a.frag",
+            "uniform sampler2D hist; //@ pass mainHist\n" + std::string(macro) +
+                "struct Ray { vec3 o; vec4 hist; };\n"
+                "vec4 look(Ray r) { return r.hist; }\n"
+                "void mainHist(out vec4 c, in vec2 p) { c = vec4(p / 40.0, 0.3, 1); }\n"
+                "void mainImage(out vec4 c, in vec2 q) { Ray r; r.hist = READ(hist); c = look(r); "
+                "}\n");
+        ASSERT_EQ(glint({"export", "a.frag", "-o", "out", "--size", "32x18"}).code, 0);
+        fs::remove(folder() / "back.frag");
+        ASSERT_EQ(glint({"import", "out/shadertoy.json", "-o", "back.frag"}).code, 0);
+        EXPECT_EQ(draw("a.frag").pixels, draw("back.frag").pixels);
+    }
+}
+
+TEST_F(Export, ABufferThatTheSoundAloneReadsIsRefused) {
+    write("a.frag",
+          "uniform sampler2D tab; //@ pass mainTab\n"
+          "void mainTab(out vec4 c, in vec2 p) { c = vec4(0.25, iTime, 0, 1); }\n"
+          "vec2 mainSound(float time) { return texelFetch(tab, ivec2(0), 0).xy; }\n"
+          "void mainImage(out vec4 c, in vec2 p) { c = vec4(1); }\n");
+    const Outcome made = glint({"export", "a.frag", "-o", "out"});
+    EXPECT_EQ(made.code, 2);
+    EXPECT_NE(made.err.find("The sound alone reads tab"), std::string::npos) << made.err;
+    EXPECT_FALSE(fs::exists(folder() / "out"));
+}
+
 TEST_F(Export, FilesOfOneNameAreTold) {
     write("make.frag", "void mainImage(out vec4 c, in vec2 p) { c = vec4(0.5); }\n");
     fs::create_directory(folder() / "more");
@@ -232,6 +265,12 @@ TEST_F(Export, FilesOfOneNameAreTold) {
     const Outcome made = glint({"export", "a.frag", "-o", "out"});
     ASSERT_EQ(made.code, 0) << made.err;
     EXPECT_NE(made.err.find("more/p.png have one name"), std::string::npos) << made.err;
+    write("b.frag",
+          "uniform sampler2D one; //@ image p.png\n"
+          "uniform sampler2D two; //@ image more/../p.png wrap=repeat\n"
+          "void mainImage(out vec4 c, in vec2 p) { c = texture(one, p) + texture(two, p); }\n");
+    const Outcome same = glint({"export", "b.frag", "-o", "same"});
+    EXPECT_EQ(same.err.find("have one name"), std::string::npos) << same.err;
 }
 
 TEST_F(Export, ACubeThatReadsABufferBelowItIsTold) {

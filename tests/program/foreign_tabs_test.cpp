@@ -99,6 +99,32 @@ TEST_F(ForeignTabs, TheSameUniformInSeveralFilesIsOneTweak) {
     EXPECT_NE(errors_of(reads).find("all tabs have one tweak of a name"), std::string::npos);
 }
 
+TEST_F(ForeignTabs, TabsShareATweakWhoseAnnotationsAreAlikeWhateverTheSpaces) {
+    const auto tabs = [](const char* one, const char* two) {
+        return std::string("uniform sampler2D buf; //@ pass main_buf\n#ifdef PASS_buf\n") + one +
+               "void mainImage(out vec4 c, in vec2 p) { c = vec4(k, 0, 0, 1); }\n#endif\n"
+               "#ifdef PASS_image\n" +
+               two +
+               "void mainImage(out vec4 c, in vec2 p) {\n"
+               "    c = texelFetch(buf, ivec2(p), 0) + vec4(0, k, 0, 0);\n}\n#endif\n";
+    };
+    EXPECT_EQ(draw(tabs("uniform float k; //@ 0.4 [0, 1] \"k\"\n",
+                        "uniform  float k;  //@ 0.4 [0, 1] \"k\"  \n")),
+              (std::array{102, 102, 0}));
+    EXPECT_NE(errors_of(tabs("uniform float\n  k; //@ 0.2 [0, 1] \"one\"\n",
+                             "uniform float\n  k; //@ 0.9 [0, 5] \"two\"\n"))
+                  .find("declare it alike"),
+              std::string::npos);
+}
+
+TEST_F(ForeignTabs, AMistakeInAMainOfSeveralPassesIsToldOnce) {
+    const std::string errors = errors_of(
+        "uniform sampler2D a; //@ pass main_a\nuniform sampler2D b; //@ pass main_b\n"
+        "void main() { gl_Fragcolor = vec4(1.0); }\n#ifdef PASS_a\nfloat x1;\n#endif\n"
+        "#ifdef PASS_b\nfloat x2;\n#endif\n#ifdef PASS_image\nfloat x3;\n#endif\n");
+    EXPECT_EQ(std::ranges::count(errors, '\n'), 1) << errors;
+}
+
 // As for a compiler that sees each tab alone.
 TEST_F(ForeignTabs, AFileThatIsIncludedOnceIsIncludedOnceInEachTab) {
     write("lib.glsl",

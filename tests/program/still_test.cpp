@@ -202,6 +202,16 @@ TEST_F(Still, TellsOfLoopsThatTheDriverHasEnded) {
     EXPECT_EQ(glint(four).err, long_one) << "of the time that is drawn";
     EXPECT_EQ(said("for (int i = 0; i < 70000; i++) { s += 0.1; if (s > 9.0) break; }"), "");
     EXPECT_EQ(said("\n//@ allow long-loop\nfor (int i = 0; i < 70000; i++) s += 0.1;"), "");
+    // Also of a buffer that stands once it is drawn.
+    write("b.frag",
+          "float unread() { float s = 0.0; for (int i = 0; i < 70000; i++) s += 0.1; return s; }\n"
+          "uniform sampler2D sums; //@ pass mainSums\n"
+          "void mainSums(out vec4 c, in vec2 p) {\n"
+          "    float s = p.x;\n    for (int i = 0; i < 70000; i++) s += 0.1;\n    c = vec4(s);\n}\n"
+          "void mainImage(out vec4 c, in vec2 p) {\n"
+          "    c = texelFetch(sums, ivec2(0), 0) + (p.x < 0.0 ? unread() : 0.0);\n}\n");
+    const std::string of_sums = glint({"still", "b.frag", "-o", "b.png", "--size", "16x9"}).err;
+    EXPECT_EQ(of_sums.find("b.frag:5:5: warning: llvmpipe has ended loops of sums"), 0) << of_sums;
 }
 
 TEST_F(Still, FindsFilesWhateverTheirNamesAndWhereverItRuns) {

@@ -227,6 +227,9 @@ TEST(TweakAnnotation, ANameInQuotesMayHoldAnySignAndBeTheDefault) {
     EXPECT_EQ(all(screen.complaints), "");
     EXPECT_EQ(screen.tweak.initial[0], 1.0);
     EXPECT_EQ(screen.tweak.description, "how");
+    const ReadTweak inches = tweak(TweakType::int1, "0 {off, 5\" screen} \"size\"");
+    EXPECT_EQ(all(inches.complaints), "");
+    EXPECT_EQ(inches.tweak.names.back(), "5\" screen");
     const ReadTweak described = tweak(TweakType::int1, "\"how\" 1 {off, on}");
     EXPECT_EQ(all(described.complaints), "");
     EXPECT_EQ(described.tweak.description, "how");

@@ -6,13 +6,16 @@
 #include "measure/probe/session.h"
 #include "offline/sound.h"
 #include "scene/lint.h"
+#include "scene/passes.h"
+#include "scene/scene_text.h"
 
 #include <fmt/format.h>
 #include <glm/common.hpp>
 
 #include <algorithm>
 #include <functional>
-#include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace glint {
@@ -20,20 +23,43 @@ namespace {
 
 constexpr int kMostPixels = 160;  // a side
 
-// Where a loop begins that may take too many turns; nothing where the text allows it.
-std::optional<Place> long_loop(const Preset& preset) {
+// Where loops begin that may take too many turns, but for those that the text allows.
+std::vector<Place> long_loops(const Preset& preset) {
     const std::string& text = preset.scene.text;
     if (find_whole_word(text, "for") == text.npos && find_whole_word(text, "while") == text.npos)
-        return std::nullopt;
+        return {};
     std::vector<PlacedFinding> findings = lint(preset).findings;
     std::erase_if(findings, std::not_fn(is_of_long_loop));
     drop_allowed(preset.scene, findings);
-    return findings.empty() ? std::nullopt : std::optional(findings.front().place);
+    std::vector<Place> places;
+    for (const PlacedFinding& finding : findings) places.push_back(finding.place);
+    return places;
 }
 
-void say_cut(const Place& place, const LoopTurns& turns, std::string_view what,
-             std::string_view over) {
-    say_diagnostic({Severity::warning, place,
+// The first that this pass comes to; of all where none is seen to be its.
+Place first_of(const std::vector<Place>& loops, const Scene& scene, const std::string& pass) {
+    const std::size_t index = find_pass(scene, pass, true);
+    const Reading reading = read_glsl(scene.text, known_of_pass(output_names(scene, index)));
+    const std::vector<bool> reached = reading.reached_from({entry_of(scene, index)});
+    const auto is_in = [&](const Place& loop) {
+        for (std::size_t i = 0; i < reached.size(); ++i) {
+            const Span span = reading.place(reading.functions[i].tokens);
+            const Place begin = scene.place_at(span.begin), end = scene.place_at(span.end);
+            const auto where = std::pair(loop.line, loop.column);
+            if (reached[i] && loop.file == begin.file &&
+                where >= std::pair(begin.line, begin.column) &&
+                where <= std::pair(end.line, end.column))
+                return true;
+        }
+        return false;
+    };
+    const auto loop = std::ranges::find_if(loops, is_in);
+    return loop == loops.end() ? loops.front() : *loop;
+}
+
+void say_cut(const std::vector<Place>& loops, const Scene& scene, const LoopTurns& turns,
+             std::string_view what, std::string_view over) {
+    say_diagnostic({Severity::warning, first_of(loops, scene, turns.pass()),
                     fmt::format("llvmpipe has ended loops of {} after {} turns, so that the {} is "
                                 "not what the text says: share the work out over {}",
                                 turns.pass(), kLoopBudget, what, over)});
@@ -43,24 +69,30 @@ void say_cut(const Place& place, const LoopTurns& turns, std::string_view what,
 
 void say_cut_loops(Preset preset, const ProbeOptions& options) {
     preset.time = time_of(options, preset.time);
-    const std::optional<Place> place = long_loop(preset);
-    if (!place) return;
+    const std::vector<Place> loops = long_loops(preset);
+    if (loops.empty()) return;
     const int longest = std::max(preset.size.x, preset.size.y);
     if (longest > kMostPixels) preset.size = glm::max(preset.size * kMostPixels / longest, 1);
     ProbeSession session(std::move(preset), options);
-    if (!ends_loops(session.context()) || session.renderer().graph().stateful) return;
+    if (!ends_loops(session.context())) return;
+    // The probe's own text keeps what no pass comes to, by which all may seem to read each other.
+    const ProgramOptions plain = session.program_options();
+    if (compile_or_stop(session.preset(), {.root = kImagePass, .program = plain}).graph.stateful)
+        return;
     try {
         LoopTurns turns(session.preset(), session.renderer(), session.program_options());
         const Frame& frame = session.play_to(options);
         turns.count(frame, [&] { session.renderer().draw(frame); });
-        if (turns.is_cut()) say_cut(*place, turns, "picture", "passes, samples or frames");
+        if (turns.is_cut())
+            say_cut(loops, session.preset().scene, turns, "picture", "passes, samples or frames");
     } catch (const ProbeRefused&) {  // nobody can tell
     }
 }
 
 void say_cut_loops_of_sound(const Preset& preset, const ViewOptions& view) {
-    const std::optional<Place> place = preset.scene.has_sound ? long_loop(preset) : std::nullopt;
-    if (!place) return;
+    if (!preset.scene.has_sound) return;
+    const std::vector<Place> loops = long_loops(preset);
+    if (loops.empty()) return;
     const auto context = make_egl_context(view.device);
     if (!ends_loops(*context)) return;
     const ProgramOptions options{.specialise = view.specialise};
@@ -70,7 +102,7 @@ void say_cut_loops_of_sound(const Preset& preset, const ViewOptions& view) {
         LoopTurns turns(preset, sound.renderer(), options);
         const Frame frame = sound.frame_of(0);
         turns.count(frame, [&] { sound.drawn(frame); });
-        if (turns.is_cut()) say_cut(*place, turns, "sound", "buffers");
+        if (turns.is_cut()) say_cut(loops, preset.scene, turns, "sound", "buffers");
     } catch (const ProbeRefused&) {
     }
 }

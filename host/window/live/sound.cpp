@@ -2,6 +2,8 @@
 
 #include "window/trial/message.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -50,6 +52,7 @@ LiveSound::Content LiveSound::content_of(const Preset& preset, std::vector<Tweak
     };
     for (const std::filesystem::path& file : sounds_of(preset)) add(file);
     if (!preset.scene.has_sound) return content;
+    content.samplers = fmt::format("{}x{}\n", preset.size.x, preset.size.y);  // of buffers
     for (std::size_t i = 0; i < sampler_count(preset); ++i) {
         const Sampler& sampler = sampler_at(preset, i);
         content.samplers += sampler_facts(sampler) + '\n';
