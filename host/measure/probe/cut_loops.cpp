@@ -5,6 +5,7 @@
 #include "measure/probe/loop_turns.h"
 #include "measure/probe/session.h"
 #include "offline/sound.h"
+#include "render/compile.h"
 #include "scene/lint.h"
 #include "scene/passes.h"
 #include "scene/scene_text.h"
@@ -76,9 +77,9 @@ void say_cut_loops(Preset preset, const ProbeOptions& options) {
     ProbeSession session(std::move(preset), options);
     if (!ends_loops(session.context())) return;
     // The probe's own text keeps what no pass comes to, by which all may seem to read each other.
-    const ProgramOptions plain = session.program_options();
-    if (compile_or_stop(session.preset(), {.root = kImagePass, .program = plain}).graph.stateful)
-        return;
+    const CompileResult plain =
+        compile_scene(session.preset(), {.root = kImagePass, .program = session.program_options()});
+    if (!plain.scene || plain.scene->graph.stateful) return;
     try {
         LoopTurns turns(session.preset(), session.renderer(), session.program_options());
         const Frame& frame = session.play_to(options);
