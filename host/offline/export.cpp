@@ -406,7 +406,7 @@ std::vector<SiteName> Exporter::names_there(const Tab& tab, const Reading& body,
         names.push_back({"iTick", "uint(iTime * 65536.0)"});
         warn(tab.name + ": iTick becomes uint(iTime * 65536.0), exact for the first 256 s");
     }
-    if (!means_its_own(body, "iGlobalTime")) names.push_back({"iGlobalTime", "iTime"});
+    names.push_back({"iGlobalTime", "iTime"});
     if (const auto size = own_size(tab))
         names.push_back({"iResolution", fmt::format("vec3({}.0, {}.0, 1.0)", size->x, size->y)});
     return names;

@@ -2,6 +2,7 @@
 
 #include "glsl/edits.h"
 #include "glsl/variables.h"
+#include "render/pass_text.h"
 
 #include <fmt/format.h>
 
@@ -80,7 +81,8 @@ SiteNamed with_site_names(const std::string& text, const Known& known,
     Edits edits(reading);
     SiteNamed named;
     for (const SiteName& name : names) {
-        if (!speaks_of(reading, name.name)) continue;
+        // A sampler of another tab may be called like what this one has.
+        if (!speaks_of(reading, name.name) || means_its_own(reading, name.name)) continue;
         const Places places = means.places_of(name.name);
         if (!places.own.empty()) {
             rename(reading, places, name, edits);

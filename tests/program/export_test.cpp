@@ -221,6 +221,19 @@ TEST_F(Export, NamesThatTheTextGivesToItsOwnAreNotTheSamplers) {
     }
 }
 
+TEST_F(Export, ASamplerOfAnotherTabMayBeCalledLikeAGlobal) {
+    write("a.frag",
+          "uniform sampler2D buf; //@ pass main_buf\n#ifdef PASS_buf\n"
+          "uniform sampler2D wind; //@ noise rgba 16\n"
+          "void mainImage(out vec4 c, in vec2 p) { c = texelFetch(wind, ivec2(p) % 16, 0); }\n"
+          "#endif\n#ifdef PASS_image\nfloat wind = 0.5;\n"
+          "void mainImage(out vec4 c, in vec2 p) { wind += 0.1; c = texelFetch(buf, ivec2(p), 0) * "
+          "wind; }\n#endif\n");
+    ASSERT_EQ(glint({"export", "a.frag", "-o", "out", "--size", "32x18"}).code, 0);
+    ASSERT_EQ(glint({"import", "out/shadertoy.json", "-o", "back.frag"}).code, 0);
+    EXPECT_EQ(draw("a.frag").pixels, draw("back.frag").pixels);
+}
+
 // Macros that may be either, or whose words are others later, are renamed where they are spelled.
 TEST_F(Export, AMacroThatCannotBeWrittenOutIsRenamedInItself) {
     for (const char* macro :
