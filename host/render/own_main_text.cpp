@@ -318,6 +318,10 @@ std::string behind_plain_main(const Reading& reading, const Declaration* output,
 
 void make_ends_variables(const Reading& reading, Edits& edits) {
     for (const Declaration& declaration : reading.declarations) {
+        if (is_of_gl(reading, declaration)) {
+            edits.replace(declaration.tokens, "");
+            continue;
+        }
         if (fed_input(reading, declaration))  // texture_coordinates() declares what is read
             edits.replace(declaration.tokens, "");
         else if (is_input_block(reading, declaration))
@@ -326,10 +330,6 @@ void make_ends_variables(const Reading& reading, Edits& edits) {
             name_newer(reading, declaration, edits);
         const TokenRange words = declaration.qualifiers;
         if (declaration.is_uniform) leave_out_layout(reading, words, edits);
-        if (is_of_gl(reading, declaration)) {
-            edits.replace(declaration.tokens, "");
-            continue;
-        }
         if (declaration.scope != Scope::global || !declaration.is_out) continue;
         for (std::uint32_t at = words.begin; at < words.end; ++at)
             if (!reading.tokens[at].text.ends_with('p')) edits.replace({at, at + 1}, "");

@@ -335,10 +335,10 @@ TEST_F(Still, APictureWiderThanAnyTextureIsDrawnInTiles) {
     // Beyond 16384 on a side, and beyond what is drawn at once.
     for (const std::string name : {"huge.png", "huge.exr", "huge.tif"}) {
         SCOPED_TRACE(name);
-        still({"scene.frag", "-o", name, "--size", "20000x600", "--compression",
-               name == "huge.exr"   ? "rle"
-               : name == "huge.tif" ? "lzw"
-                                    : ""});
+        std::vector<std::string> words = {"scene.frag", "-o", name, "--size", "20000x600"};
+        if (name != "huge.png")
+            words.insert(words.end(), {"--compression", name == "huge.exr" ? "rle" : "lzw"});
+        still(words);
         const std::string corner = "cd '" + folder().string() + "' && ffmpeg -nostdin -loglevel " +
                                    "error -i " + name +
                                    " -vf crop=2:1:19998:599,format=rgb24 -f rawvideo -y raw";
