@@ -31,6 +31,7 @@ public:
         std::ranges::sort(declared_);
     }
 
+    // Of a name that no global has.
     Places places_of(std::string_view name) const {
         Places places;
         for (const std::uint32_t at : reading_.places_of({name}))
@@ -42,9 +43,7 @@ private:
     bool is_hosts(std::uint32_t at) const {
         if (at > 0 && reading_.tokens[at - 1].is(".")) return false;
         if (std::ranges::binary_search(declared_, at)) return false;
-        if (function_[at] == kNone) return true;
-        const Variables::Found found = variables_.find(at, function_[at]);
-        return !found.declaration || found.declaration->scope == Scope::global;
+        return function_[at] == kNone || !variables_.find(at, function_[at]).declaration;
     }
 
     const Reading& reading_;

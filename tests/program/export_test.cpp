@@ -38,6 +38,15 @@ protected:
         EXPECT_EQ(drawn.code, 0) << drawn.err;
         return read_image(folder() / (file + ".png"));
     }
+    void expect_to_come_back(const std::string& text) {
+        SCOPED_TRACE(text);
+        write("a.frag", text);
+        const Outcome made = glint({"export", "a.frag", "-o", "out", "--size", "32x18"});
+        ASSERT_EQ(made.code, 0) << made.err;
+        fs::remove(folder() / "back.frag");
+        ASSERT_EQ(glint({"import", "out/shadertoy.json", "-o", "back.frag"}).code, 0);
+        EXPECT_EQ(draw("a.frag").pixels, draw("back.frag").pixels);
+    }
 };
 
 TEST_F(Export, WhatComesBackDrawsTheSameBytes) {
@@ -210,28 +219,17 @@ TEST_F(Export, NamesThatTheTextGivesToItsOwnAreNotTheSamplers) {
         "    c.b *= wind;\n}\n",
         "float both(float wind, float xy) { return 0.7 * wind + 0.3 * xy; }\n"
         "void mainImage(out vec4 c, in vec2 p) { c = READ(a) * both(0.5, 1.0); c.a = 1.0; }\n"};
-    for (const std::string& image : images) {
-        SCOPED_TRACE(image);
-        write("a.frag", buffers + image);
-        const Outcome made = glint({"export", "a.frag", "-o", "out", "--size", "32x18"});
-        ASSERT_EQ(made.code, 0) << made.err;
-        fs::remove(folder() / "back.frag");
-        ASSERT_EQ(glint({"import", "out/shadertoy.json", "-o", "back.frag"}).code, 0);
-        EXPECT_EQ(draw("a.frag").pixels, draw("back.frag").pixels);
-    }
+    for (const std::string& image : images) expect_to_come_back(buffers + image);
 }
 
 TEST_F(Export, ASamplerOfAnotherTabMayBeCalledLikeAGlobal) {
-    write("a.frag",
-          "uniform sampler2D buf; //@ pass main_buf\n#ifdef PASS_buf\n"
-          "uniform sampler2D wind; //@ noise rgba 16\n"
-          "void mainImage(out vec4 c, in vec2 p) { c = texelFetch(wind, ivec2(p) % 16, 0); }\n"
-          "#endif\n#ifdef PASS_image\nfloat wind = 0.5;\n"
-          "void mainImage(out vec4 c, in vec2 p) { wind += 0.1; c = texelFetch(buf, ivec2(p), 0) * "
-          "wind; }\n#endif\n");
-    ASSERT_EQ(glint({"export", "a.frag", "-o", "out", "--size", "32x18"}).code, 0);
-    ASSERT_EQ(glint({"import", "out/shadertoy.json", "-o", "back.frag"}).code, 0);
-    EXPECT_EQ(draw("a.frag").pixels, draw("back.frag").pixels);
+    expect_to_come_back(
+        "uniform sampler2D buf; //@ pass main_buf\n#ifdef PASS_buf\n"
+        "uniform sampler2D wind; //@ noise rgba 16\n"
+        "void mainImage(out vec4 c, in vec2 p) { c = texelFetch(wind, ivec2(p) % 16, 0); }\n"
+        "#endif\n#ifdef PASS_image\nfloat wind = 0.5;\n"
+        "void mainImage(out vec4 c, in vec2 p) { wind += 0.1; c = texelFetch(buf, ivec2(p), 0) * "
+        "wind; }\n#endif\n");
 }
 
 // Macros that may be either, or whose words are others later, are renamed where they are spelled.
@@ -240,18 +238,13 @@ TEST_F(Export, AMacroThatCannotBeWrittenOutIsRenamedInItself) {
          {"#ifdef GL_OES_standard_derivatives\n#define READ(s) texelFetch(s, ivec2(q), 0)\n#else\n"
           "#define READ(s) texelFetch(s, ivec2(q), 0)\n#endif\n",
           "#define READ(s) texelFetch(s, ivec2(q), 0) * gain\n#define gain 3.0\n"}) {
-        write(
-            "a.frag",
+        expect_to_come_back(
             "uniform sampler2D hist; //@ pass mainHist\n" + std::string(macro) +
-                "struct Ray { vec3 o; vec4 hist; };\n"
-                "vec4 look(Ray r) { return r.hist; }\n"
-                "void mainHist(out vec4 c, in vec2 p) { c = vec4(p / 40.0, 0.3, 1); }\n"
-                "void mainImage(out vec4 c, in vec2 q) { Ray r; r.hist = READ(hist); c = look(r); "
-                "}\n");
-        ASSERT_EQ(glint({"export", "a.frag", "-o", "out", "--size", "32x18"}).code, 0);
-        fs::remove(folder() / "back.frag");
-        ASSERT_EQ(glint({"import", "out/shadertoy.json", "-o", "back.frag"}).code, 0);
-        EXPECT_EQ(draw("a.frag").pixels, draw("back.frag").pixels);
+            "struct Ray { vec3 o; vec4 hist; };\n"
+            "vec4 look(Ray r) { return r.hist; }\n"
+            "void mainHist(out vec4 c, in vec2 p) { c = vec4(p / 40.0, 0.3, 1); }\n"
+            "void mainImage(out vec4 c, in vec2 q) { Ray r; r.hist = READ(hist); c = look(r); "
+            "}\n");
     }
 }
 
