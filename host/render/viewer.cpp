@@ -64,6 +64,15 @@ SamplerObject make_sampler(GLint filter) {
     return SamplerObject(id);
 }
 
+// As large as a room allows in this shape. Bars that were narrower than one of its pixels come of a
+// share of the room that was rounded to whole pixels: such a picture fills it.
+glm::dvec2 fitting_size(glm::ivec2 pixels, glm::ivec2 room) {
+    const glm::dvec2 ratio = glm::dvec2(room) / glm::dvec2(pixels);
+    const double zoom = std::min(ratio.x, ratio.y);
+    const glm::dvec2 size = glm::dvec2(pixels) * zoom, bars = glm::dvec2(room) - size;
+    return std::max(bars.x, bars.y) < zoom ? glm::dvec2(room) : size;
+}
+
 }  // namespace
 
 // Where the whole buffer lies on the screen, perhaps beyond the area: origin and size, pixels.
@@ -73,12 +82,13 @@ struct Viewer::Placed {
 
 Viewer::Placed Viewer::place(glm::ivec2 buffer_size, const BufferView& view,
                              const ScreenArea& area) {
-    const glm::dvec2 room(area.size), pixels(buffer_size);
-    const double zoom =
-        view.zoom > 0.0 ? view.zoom : std::min(room.x / pixels.x, room.y / pixels.y);
-    const glm::dvec2 size = pixels * zoom;
-    const glm::dvec2 centre = view.zoom > 0.0 ? view.centre : glm::dvec2(0.5);
-    return {glm::dvec2(area.origin) + room * 0.5 - centre * size, size};
+    const glm::dvec2 middle = glm::dvec2(area.origin) + glm::dvec2(area.size) * 0.5;
+    if (view.zoom > 0.0) {
+        const glm::dvec2 size = glm::dvec2(buffer_size) * view.zoom;
+        return {middle - view.centre * size, size};
+    }
+    const glm::dvec2 size = fitting_size(buffer_size, area.size);
+    return {middle - 0.5 * size, size};
 }
 
 ValueRange value_range(std::span<const float> rgba) {
@@ -139,21 +149,25 @@ glm::dvec2 Viewer::fraction_at(glm::dvec2 point, glm::ivec2 buffer_size, const B
 
 void Viewer::show(const Buffer& buffer, const BufferView& view, const ScreenArea& area) {
     if (buffer.shape().cube) return;  // no plane to show
-    const Placed placed = place(buffer.shape().size, view, area);
     if (view.is_plain() && view.output == 0)
-        copy(buffer, placed);
+        copy(buffer, area_of(buffer.shape().size, view, area));
     else
-        draw(buffer, view, area, placed);
+        draw(buffer, view, area);
+}
+
+ScreenArea Viewer::area_of(glm::ivec2 buffer_size, const BufferView& view, const ScreenArea& area) {
+    const Placed placed = place(buffer_size, view, area);
+    const glm::ivec2 from(glm::round(placed.origin)), to(glm::round(placed.origin + placed.size));
+    return {.origin = from, .size = to - from};
 }
 
 // A reduced resolution is smoothed over.
-void Viewer::copy(const Buffer& buffer, const Placed& placed) const {
-    const glm::ivec2 from(glm::round(placed.origin)), to(glm::round(placed.origin + placed.size));
-    resample({.texture = buffer.texture(0), .origin = from, .size = to - from});
+void Viewer::copy(const Buffer& buffer, const ScreenArea& to) const {
+    resample({.texture = buffer.texture(0), .origin = to.origin, .size = to.size});
 }
 
-void Viewer::draw(const Buffer& buffer, const BufferView& view, const ScreenArea& area,
-                  const Placed& placed) {
+void Viewer::draw(const Buffer& buffer, const BufferView& view, const ScreenArea& area) {
+    const Placed placed = place(buffer.shape().size, view, area);
     if (!program_) program_ = make_show();  // most windows never need it
     const auto location = [&](const char* name) {
         return glGetUniformLocation(program_.id(), name);

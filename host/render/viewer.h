@@ -55,7 +55,8 @@ class Viewer {
 public:
     Viewer();
 
-    // Draws into framebuffer 0. The buffer keeps its shape; what is left of the area is dark.
+    // Draws into framebuffer 0. The buffer keeps its shape, to one of its pixels; what is left of
+    // the area is dark.
     void show(const Buffer& buffer, const BufferView& view, const ScreenArea& area);
 
     // The pixel of the buffer under a point of the screen (pixels, y up), as a fraction; outside 0
@@ -63,12 +64,15 @@ public:
     static glm::dvec2 fraction_at(glm::dvec2 point, glm::ivec2 buffer_size, const BufferView& view,
                                   const ScreenArea& area);
 
+    // Where that draws the whole of a buffer, to the pixel of the screen.
+    static ScreenArea area_of(glm::ivec2 buffer_size, const BufferView& view,
+                              const ScreenArea& area);
+
 private:
     struct Placed;
     static Placed place(glm::ivec2 buffer_size, const BufferView& view, const ScreenArea& area);
-    void copy(const Buffer& buffer, const Placed& placed) const;
-    void draw(const Buffer& buffer, const BufferView& view, const ScreenArea& area,
-              const Placed& placed);
+    void copy(const Buffer& buffer, const ScreenArea& to) const;
+    void draw(const Buffer& buffer, const BufferView& view, const ScreenArea& area);
 
     VertexArray vertex_array_;
     SamplerObject nearest_, linear_;

@@ -8,8 +8,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <cstddef>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
@@ -212,9 +214,7 @@ double Glint::resident_mib() const {
 
 void Window::SetUp() {
     folder_ = std::make_unique<Folder>();
-    // Pixels are counted, however slow the machine: no resolution is chosen for them.
     fs::create_directories(memory_of_resolutions().parent_path());
-    write(memory_of_resolutions(), fmt::format("full plain 1 {}\n", scene().string()));
     try {
         screen_ = std::make_unique<Screen>(screen_size_, screen_has_glx_);
     } catch (const std::runtime_error& error) {
@@ -231,7 +231,20 @@ void Window::TearDown() {
     std::cerr << "--- stderr of glint, its end\n" << errors.substr(from) << "---\n";
 }
 
+void Window::remember_full_size(const std::vector<std::string>& files) const {
+    const fs::path memory = memory_of_resolutions();
+    std::string lines = fs::exists(memory) ? read(memory) : "";
+    for (const std::string& name : files) {
+        const fs::path file = folder_->path() / name;
+        if (!fs::is_regular_file(file)) continue;  // a word of the command line
+        const std::string place = " " + fs::canonical(file).string() + "\n";
+        if (lines.find(place) == std::string::npos) lines += "full plain 1" + place;
+    }
+    write(memory, lines);
+}
+
 void Window::start(const std::vector<std::string>& arguments) {
+    if (counts_pixels_) remember_full_size(arguments);
     glint_ = std::make_unique<Glint>(screen_->name(), folder_->path(), arguments, environment_);
     ASSERT_TRUE(eventually([&] { return screen_->window() != 0 || !glint_->runs(); }));
 }
@@ -244,8 +257,11 @@ void Window::open(std::string_view scene_text, const std::vector<std::string>& a
     ASSERT_TRUE(glint_->says("scene.frag: shown")) << glint_->errors();
 }
 
-bool Window::shows(const Colour& colour, glm::ivec2 at, double seconds) const {
-    return eventually([&] { return screen_->pixel(at) == colour; }, seconds);
+::testing::AssertionResult Window::shows(const Colour& colour, glm::ivec2 at,
+                                         double seconds) const {
+    if (eventually([&] { return screen_->pixel(at) == colour; }, seconds))
+        return ::testing::AssertionSuccess();
+    return ::testing::AssertionFailure() << "the screen has " << screen_->pixel(at);
 }
 
 void Window::settle() const {
@@ -266,13 +282,31 @@ void Window::settle() const {
     }
 }
 
-fs::path Window::still(const std::vector<std::string>& arguments) const {
-    const fs::path file = folder_->path() / "expected.png";
-    std::vector<std::string> all = {"still", scene().string(), "-o", file.string()};
+fs::path Window::still(const std::vector<std::string>& arguments, fs::path file) const {
+    const fs::path picture = folder_->path() / "expected.png";
+    if (file.empty()) file = scene();
+    std::vector<std::string> all = {"still", file.string(), "-o", picture.string()};
     all.insert(all.end(), arguments.begin(), arguments.end());
     Glint process(screen_->name(), folder_->path(), all);
-    EXPECT_EQ(process.wait(120.0).code, 0) << process.errors();
-    return file;
+    EXPECT_EQ(process.wait(kPatience).code, 0) << process.errors();
+    return picture;
+}
+
+int Window::largest_difference(const Image& wanted, int rows) const {
+    int largest = 0;
+    const auto width = static_cast<std::size_t>(wanted.size.x);
+    const auto seen = screen_->picture({0, 0}, {wanted.size.x, rows});
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        // Rows of files run bottom up.
+        const std::size_t row = static_cast<std::size_t>(wanted.size.y) - 1 - i / width;
+        for (std::size_t c = 0; c < 3; ++c) {
+            const auto value =
+                std::to_integer<int>(wanted.pixels[(row * width + i % width) * 3 + c]);
+            const int shown = static_cast<int>(seen[i] >> (16 - 8 * c) & 255u);
+            largest = std::max(largest, std::abs(value - shown));
+        }
+    }
+    return largest;
 }
 
 }  // namespace glint::window

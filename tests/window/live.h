@@ -3,6 +3,7 @@
 #pragma once
 
 #include "../base/test_folder.h"
+#include "media/image.h"
 #include "screen.h"
 
 #include <gtest/gtest.h>
@@ -84,11 +85,16 @@ protected:
     // Saves the scene, starts glint on it and waits for the first picture.
     void open(std::string_view scene, const std::vector<std::string>& arguments = {});
     void start(const std::vector<std::string>& arguments);
-    bool shows(const Colour& colour, glm::ivec2 at = {640, 340}, double seconds = kPatience) const;
+    // Once it does; else says what was seen instead.
+    ::testing::AssertionResult shows(const Colour& colour, glm::ivec2 at = {640, 340},
+                                     double seconds = kPatience) const;
     // Waits until nothing has changed on the screen for a while in which glint could have run.
     void settle() const;
-    // A still of the same scene by the other verb, as RGB rows.
-    fs::path still(const std::vector<std::string>& arguments) const;
+    // A still of the same scene by the other verb, as RGB rows; of another file, where one is
+    // named.
+    fs::path still(const std::vector<std::string>& arguments, fs::path file = {}) const;
+    // In any channel, 0 to 255, between the upper rows of the screen and of a picture of its size.
+    int largest_difference(const Image& wanted, int rows) const;
     fs::path memory_of_resolutions() const {
         return folder_->path() / "home/.local/state/glint/resolution";
     }
@@ -100,6 +106,11 @@ protected:
     glm::ivec2 screen_size_{1280, 720};
     bool screen_has_glx_ = true;
     Environment environment_;  // added to that of glint
+    // However slow the machine, no resolution is chosen for what is opened.
+    bool counts_pixels_ = true;
+
+private:
+    void remember_full_size(const std::vector<std::string>& files) const;
 };
 
 // For what hangs: a software driver would hang on every core, for as long.

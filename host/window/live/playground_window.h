@@ -221,7 +221,6 @@ private:
     glm::ivec2 viewed_size() const;
     glm::dvec2 on_picture(glm::dvec2 position) const;  // a fraction, y up
     bool is_on_picture(glm::dvec2 position) const;
-    ScreenArea fitted(glm::ivec2 size) const;
     void print_reports();
 
     EndSignals end_signals_;

@@ -177,15 +177,10 @@ std::optional<glm::ivec2> PlaygroundWindow::frame_size() const {
 // Where the picture stands in the window, pixels: between bars where the aspects differ.
 ScreenArea PlaygroundWindow::picture_area() const {
     const std::optional<glm::ivec2> frame = frame_size();
-    if (!frame || settings_.free_aspect) return {.origin = {0, 0}, .size = window_.size()};
-    return fitted(*frame);
-}
-
-// The largest area of the window that has this aspect.
-ScreenArea PlaygroundWindow::fitted(glm::ivec2 frame) const {
     const glm::ivec2 room = window_.size();
-    const glm::dvec2 ratio = glm::dvec2(room) / glm::dvec2(frame);
-    const glm::dvec2 fitted = glm::dvec2(frame) * std::min(ratio.x, ratio.y);
+    if (!frame || settings_.free_aspect) return {.origin = {0, 0}, .size = room};
+    const glm::dvec2 ratio = glm::dvec2(room) / glm::dvec2(*frame);
+    const glm::dvec2 fitted = glm::dvec2(*frame) * std::min(ratio.x, ratio.y);
     const glm::ivec2 size =
         glm::clamp(glm::ivec2(glm::round(fitted)), glm::min(glm::ivec2(1), room), room);
     return {.origin = (room - size) / 2, .size = size};

@@ -58,7 +58,8 @@ void PlaygroundWindow::tell_start(Facts& facts) const {
     facts.shows_picture = playground_.has_picture() || shows_start_picture();
     if (!shows_start_picture()) return;
     const StartPicture::Shown& shown = *start_picture_.shown();
-    const ScreenArea area = fitted(shown.size);
+    const ScreenArea area =
+        Viewer::area_of(shown.size, {}, {.origin = {0, 0}, .size = window_.size()});
     facts.start_picture = {.texture = shown.texture.id(),
                            .share = shown.share,
                            .origin = area.origin,
