@@ -288,6 +288,18 @@ TEST(StudyReference, IsNotJudgedByWhatItHasItself) {
               (Values{"--second says nothing of a: its reference, 64, has that already"}));
 }
 
+// What is chosen is to be used; who names a value wants it tried, and errors are told of all.
+TEST(StudyPlan, ABudgetKeepsToWhatIsSafe) {
+    const Planned planned(
+        "uniform int way;   //@ 2 {loose, firm, exact} safe=[1, 2] quality reference=2\n"
+        "uniform int steps; //@ 8 [1, 16] log safe=[4, 16] quality reference=64\n");
+    const StudyPlan plan = planned.plan({.ms_budget = "own"});
+    EXPECT_EQ(texts(plan.knobs[0]), (Values{"firm", "exact"}));
+    EXPECT_EQ(texts(plan.knobs[1]), (Values{"4", "6", "8", "12", "16"}));
+    EXPECT_EQ(planned.plan().knobs[0].values.size(), 3u);
+    EXPECT_EQ(planned.plan({.vary = {"way=loose"}, .ms_budget = "own"}).knobs[0].values.size(), 2u);
+}
+
 // By what else would a budget be what the preset takes?
 TEST(StudyPlan, OfABudgetHasThePresetsOwnValueWhateverIsNamed) {
     const Planned planned(

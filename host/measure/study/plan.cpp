@@ -468,9 +468,9 @@ bool has_budget(const StudyOptions& options) {
 std::vector<TweakValue> studied_values(const Tweak& tweak, const Preset& preset,
                                        const StudyOptions& options) {
     std::vector<TweakValue> list = values_of(tweak);
-    if (!has_budget(options) || list.empty() || !is_number(tweak)) return list;
+    if (!has_budget(options) || list.empty()) return list;
     const auto index = static_cast<std::size_t>(&tweak - preset.scene.tweaks.data());
-    return with_half_steps(tweak, std::move(list), preset.values[index][0]);
+    return values_to_choose(tweak, std::move(list), preset.values[index][0]);
 }
 
 // A knob with its own values: those that it takes where nobody names any.

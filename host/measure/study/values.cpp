@@ -89,8 +89,13 @@ std::vector<TweakValue> values_of(const Tweak& tweak) {
     return spread_values(tweak, *tweak.min, *tweak.max);
 }
 
-std::vector<TweakValue> with_half_steps(const Tweak& tweak, std::vector<TweakValue> list,
-                                        double own) {
+std::vector<TweakValue> values_to_choose(const Tweak& tweak, std::vector<TweakValue> list,
+                                         double own) {
+    if (tweak.safe)
+        std::erase_if(list, [&, safe = *tweak.safe](const TweakValue& value) {
+            return value[0] != own && (value[0] < safe[0] || value[0] > safe[1]);
+        });
+    if (!is_number(tweak)) return list;
     double below = -HUGE_VAL, above = HUGE_VAL;
     for (const TweakValue& value : list) {
         if (value[0] < own) below = std::max(below, value[0]);
