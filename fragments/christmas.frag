@@ -24,7 +24,7 @@
 //          spheres a turn: with 4096 and one shadow cone at most 8 rays x 4 walks x 512 turns.
 // Defaults From `glint study presets/christmas.toml`: the three accelerations draw the same bits,
 //          none an eighth slower; 5 bounces are 1e-5 (RMSE) from 8; hard shadows are 0.003 from
-//          soft ones, none 0.027, and one cone is 8e-4 from 16; mirrorBlur 0.6 is 0.007 from none.
+//          soft ones, none 0.027, and one cone is 8e-4 from 16; mirrorBlur 0.8 is 0.006 from none.
 // Licence  MIT
 
 // ---- Tweaks -------------------------------------------------------------------------------------
@@ -62,8 +62,8 @@ uniform float focalLength;     //@ 28 [12, 120] log unit=mm "of a lens on 36 x 2
 uniform float exposure;        //@ 0.0 [-4, 4] unit=stop "before the display curve"
 //@ group Quality
 uniform int   acceleration; //@ 2 {none, boxes, hierarchy} quality reference=0 second=hierarchy "to ornaments"
-uniform int   bounces;         //@ 6 [1, 8] quality reference=8 "rays along one path"
-uniform float mirrorBlur;  //@ 0.6 [0.1, 100] log unit=rad quality reference=100 "beyond: a blur"
+uniform int   bounces;         //@ 5 [1, 8] quality reference=8 "rays along one path"
+uniform float mirrorBlur;  //@ 0.8 [0.1, 100] log unit=rad quality reference=100 "beyond: a blur"
 uniform int   shadowSamples;   //@ 1 [1, 16] log quality reference=16 "cones to each lamp"
 
 precision highp sampler2D;     // the default is lowp: Mesa then reads 32-bit buffers as halves

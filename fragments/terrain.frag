@@ -78,8 +78,8 @@ uniform int   glitterSamples;  //@ 16 [1, 64] log quality reference=64 "of the w
 uniform int   lensSamples;     //@ 32 [8, 256] log quality reference=256 "taps of a blur"
 
 precision highp sampler2D;     // the default is lowp: Mesa then reads 32-bit buffers as halves
-uniform sampler2D tile;        //@ pass mainTile size=512x512 filter=mipmap wrap=repeat
-uniform sampler2D cloudTile;   //@ pass mainTile size=512x512 filter=mipmap wrap=repeat
+uniform sampler2D tile;        //@ pass mainTile size=512x512 format=rgba16f filter=mipmap wrap=repeat
+uniform sampler2D cloudTile;   //@ pass mainTile size=512x512 format=rgba16f filter=mipmap wrap=repeat
 uniform sampler2D bare;        //@ pass mainBare size=513x513
 uniform sampler2D land;        //@ pass mainLand size=513x513
 uniform sampler2D peaks;       //@ pass mainPeaks size=640x512 filter=nearest

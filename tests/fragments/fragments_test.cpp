@@ -55,6 +55,26 @@ std::string read(const std::filesystem::path& file) {
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
+std::vector<std::filesystem::path> shipped_scenes() {
+    std::vector<std::filesystem::path> files;
+    const std::filesystem::path folder = std::filesystem::path(GLINT_REPOSITORY) / "fragments";
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        if (entry.path().extension() == ".frag") files.push_back(entry.path());
+    }
+    std::ranges::sort(files);
+    return files;
+}
+
+// A truth that only one way leads to is borne out by nothing.
+TEST(Fragments, EachSceneNamesAnotherWayToTheTruth) {
+    for (const std::filesystem::path& file : shipped_scenes()) {
+        const std::vector<Tweak> tweaks = read_scene(file).scene->tweaks;
+        EXPECT_TRUE(std::ranges::any_of(tweaks, [](const Tweak& tweak) {
+            return tweak.quality && !tweak.second.empty();
+        })) << file;
+    }
+}
+
 TEST(Fragments, FunctionsAreFoundInAText) {
     const std::vector<Found> found = functions_of(
         "// float commented(float x) { return x; }\n"
@@ -86,13 +106,7 @@ TEST(Fragments, FunctionsOfOneNameAreOneText) {
     };
     std::map<std::string, Seen> first;
     std::size_t compared = 0;
-    const std::filesystem::path folder = std::filesystem::path(GLINT_REPOSITORY) / "fragments";
-    std::vector<std::filesystem::path> files;
-    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-        if (entry.path().extension() == ".frag") files.push_back(entry.path());
-    }
-    std::ranges::sort(files);
-    for (const std::filesystem::path& path : files) {
+    for (const std::filesystem::path& path : shipped_scenes()) {
         const std::string file = path.filename().string();
         const std::vector<Found> functions = functions_of(read(path));
         EXPECT_FALSE(functions.empty()) << file;
