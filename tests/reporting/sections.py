@@ -277,7 +277,7 @@ def beaten(page, found):
     if not lines:
         return
     page.heading("Beside the presets' own settings")
-    page.text("Each preset's quality tweaks were chosen one at a time. A joint setting beats them with an error that is told to "
+    page.text("A joint setting of its quality tweaks beats a preset's own with an error that is told to "
               "be less (wherever the truth lies within its own error: by what two settings have in common both are off "
               "alike), and no more FLIP, in a time that is not told to be more, nor is its median by 2.5%, or in a time that "
               "is told to be less, and by 1%, with the same error, to 1% of RMSE and of FLIP; “no”: none of those that were "

@@ -121,6 +121,43 @@ TEST_F(Findings, AStudyRunsToItsEndAndAClickOnAPointAppliesItsValue) {
     EXPECT_EQ(study_folders(), 0);
 }
 
+// Two tweaks at once; the left margin tells both.
+TEST_F(Findings, AllQualityTweaksAreStudiedAndDraggedTogether) {
+    open(
+        "uniform int steps; //@ 8 [4, 64] log quality reference=1024\n"
+        "uniform int rays;  //@ 8 [4, 64] log quality reference=1024\n"
+        "float sum(int count, float x) {\n"
+        "    float s = 0.0;\n"
+        "    for (int i = 0; i < count; ++i) s += sin(x * float(i) / float(count));\n"
+        "    return s / float(count);\n}\n"
+        "void mainImage(out vec4 c, in vec2 p) {\n"
+        "    vec2 uv = p / iResolution.xy;\n"
+        "    c = vec4(sum(steps, uv.x), sum(rays, uv.y), 0, 1);\n"
+        "    if (p.x < 6.0) c = vec4(float(min(steps, 64)), float(min(rays, 64)), 0, 255) / "
+        "255.0;\n"
+        "}\n");
+    screen_->tap("Control_L+space");
+    screen_->tap("Control_L+d");
+    settle();
+    screen_->click({140, 100});  // "All quality tweaks"
+    settle();
+    screen_->click({66, 152});  // "All together"
+    screen_->click(kRunStudy);
+    screen_->move({700, 400});
+    ASSERT_TRUE(begins("study"));
+    ASSERT_TRUE(ends("study"));
+    settle();
+    const auto both = [&] { return screen_->pixel({3, 300}).r + screen_->pixel({3, 300}).g; };
+    ASSERT_EQ(both(), 16);
+    constexpr glm::ivec2 kFastest{24, 366}, kNearest{322, 366};  // below the diagram
+    screen_->click(kNearest);
+    EXPECT_TRUE(eventually([&] { return both() > 16; })) << both();
+    screen_->drag(kNearest, kFastest);
+    EXPECT_TRUE(eventually([&] { return both() < 16; })) << both();
+    screen_->tap("Control_L+z");
+    EXPECT_TRUE(eventually([&] { return both() > 16; })) << both() << ": a drag is one step";
+}
+
 // Each is ended in its own way, and all that it has started with it.
 TEST_F(Findings, CancelAReloadAndTheEndOfTheWindowEndAStudy) {
     open(converging(40));
