@@ -929,7 +929,7 @@ float walkScreen(Eye e, vec3 ro, vec3 rd, float chance, bool wanted, out vec2 fo
     vec2 rough = vec2(min(c.start, first), first);
     bool hit = marchCourse(c, rd, rough, doubtful), astray;
     vec3 q = closeIn(c, rd, hit, rough, end, astray);
-    if (!hit) return 0.0;
+    if (!hit) { doubtful = doubtful || c.inside < 2.0 * c.perPixel; return 0.0; }   // small: all edges
     // How far below what is shown the ray is two pixels on: too little, and the place is vague.
     vec3 on = onLine(c.l, min(end + 2.0 * c.perPixel, 1.0));
     vec2 shown = vec2(smoothAt(q.xy), smoothAt(on.xy));

@@ -174,7 +174,7 @@ TEST_F(SeaScene, ScreenSpaceRaysFindWhatExactRaysMeet) {
         const char *name, *tweaks;
     };
     // The scene's own, and the worst there are.
-    constexpr std::array<View, 8> kViews = {{
+    constexpr std::array<View, 9> kViews = {{
         {"usual", ""},
         {"calm", "waveHeight = 0.0\nripples = 0.0\n"},
         {"tele", "cameraAngle = -60.0\nfocalLength = 120.0\n"},
@@ -187,6 +187,11 @@ TEST_F(SeaScene, ScreenSpaceRaysFindWhatExactRaysMeet) {
          "cameraAngle = 154.1\ncameraDistance = 9.2\ncameraHeight = 0.28\ntargetHeight = 0.116\n"
          "targetShift = -0.944\nfocalLength = 25.3\nmirrorAngle = 97.6\nwaveHeight = 0.0\n"
          "ripples = 1.6\nrabbitAngle = 128.5\n"},
+        {"far and small",
+         "cameraDistance = 5.915\ncameraAngle = 149.4\ncameraHeight = 0.3621\n"
+         "targetHeight = 0.9542\ntargetShift = -0.03439\nfocalLength = 15.68\n"
+         "waveHeight = 1.953\nripples = 1.683\nchoppiness = 0.03504\nwindAngle = -104.5\n"
+         "mirrorAngle = -13.3\nrabbitAngle = 112.5\n"},
         {"by search",
          "cameraDistance = 5.451\ncameraAngle = -35.15\ncameraHeight = 0.674\n"
          "targetHeight = -0.01639\ntargetShift = -0.453\nfocalLength = 20.6\nwaveHeight = 0\n"
