@@ -4,6 +4,7 @@
 #include "base/words.h"
 #include "measure/probe/loop_turns.h"
 #include "measure/probe/session.h"
+#include "offline/common.h"
 #include "offline/sound.h"
 #include "render/compile.h"
 #include "scene/lint.h"
@@ -82,7 +83,10 @@ void say_cut_loops(Preset preset, const ProbeOptions& options) {
     if (!plain.scene || plain.scene->graph.stateful) return;
     try {
         LoopTurns turns(session.preset(), session.renderer(), session.program_options());
-        const Frame& frame = session.play_to(options);
+        // Nothing comes from the frames before.
+        const Preset& drawn = session.preset();
+        const Frame frame = settled_frame(drawn, {.end = drawn.time, .fps = options.fps},
+                                          options.settle.value_or(drawn.settle));
         turns.count(frame, [&] { session.renderer().draw(frame); });
         if (turns.is_cut())
             say_cut(loops, session.preset().scene, turns, "picture", "passes, samples or frames");
