@@ -1057,7 +1057,7 @@ vec3 render(vec3 ro, vec3 rd, float pixel, float jitter) {
     vec3 sum = vec3(0.0);
     if (jellyfish > 0 && jellyGlow > 0.0) sum = jellyLight(ro, rd, pixel, solid.t, mean, m);
     float left = 1.0;
-    while (left > 0.004 && (solid.kind > 0 || layers[0].t < solid.t)) {
+    while (left > 0.004 && (solid.kind > 0 || layers[0].t < solid.t)) { //@ allow loop-without-bound
         Layer l = layers[0];
         for (int j = 1; j < kLayers; ++j) layers[j - 1] = layers[j];
         layers[kLayers - 1].t = kFar;

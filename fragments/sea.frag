@@ -1192,7 +1192,7 @@ void lightThings(Surface u, float angle, float cone, float chance, int first, in
     // No `if`: a driver that draws eight pixels in step runs both sides of one for all of them, and
     // throws away what was not wanted. A loop ends when none of them is left in it: where no pixel
     // is in doubt, nothing is traced.
-    while (first == 0) {
+    while (first == 0) { //@ allow loop-without-bound
         Look look = lookFrom(p, above.hit.nor);
         share = sunlight(p, above.hit.nor, chance, look);
         open = openness(look);
