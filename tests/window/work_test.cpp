@@ -294,7 +294,7 @@ TEST_F(Work, OfATweakThatHasGoneOutOfTheTextWaitsForTheNextRun) {
     open_look();
     const int moved = change();
     const std::string with = read(scene());
-    write(scene(), "void mainImage(out vec4 c, in vec2 p) { c = vec4(0.7, 0.2, 0.3, 1); }\n");
+    write(scene(), flat({179, 51, 77}));
     EXPECT_TRUE(eventually([&] { return red() == 179; })) << red();
     EXPECT_TRUE(eventually([&] { return kept().find("level") != std::string::npos; })) << kept();
     screen_->tap("Control_L+q");
@@ -309,7 +309,7 @@ TEST_F(Work, OfATweakThatHasComeBackIsAskedFor) {
     open_look();
     const int moved = change();
     const std::string with = read(scene());
-    write(scene(), "void mainImage(out vec4 c, in vec2 p) { c = vec4(0.7, 0.2, 0.3, 1); }\n");
+    write(scene(), flat({179, 51, 77}));
     EXPECT_TRUE(eventually([&] { return red() == 179; })) << red();
     write(scene(), with);
     EXPECT_TRUE(eventually([&] { return red() == moved; })) << red();
