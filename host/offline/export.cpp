@@ -193,14 +193,16 @@ void Exporter::warn_of_files() {
     std::map<std::string, std::string> path_of;
     for (const Tab& tab : tabs_)
         for (const auto& channel : channels_of(tab)) {
-            if (!channel || sampler_at(preset_, *channel).files.empty()) continue;
-            const fs::path& file = sampler_at(preset_, *channel).files.front();
-            const std::string path = file.lexically_normal().string();
-            const auto [known, is_new] = path_of.emplace(file.filename().string(), path);
-            if (!is_new && known->second != path)
-                warn(fmt::format(
-                    "{} and {} have one name, and an import takes one file for both; rename one",
-                    known->second, path));
+            if (!channel) continue;
+            for (const fs::path& file : sampler_at(preset_, *channel).files) {
+                const std::string path = file.lexically_normal().string();
+                const auto [known, is_new] = path_of.emplace(file.filename().string(), path);
+                if (!is_new && known->second != path)
+                    warn(
+                        fmt::format("{} and {} have one name, and an import takes one file for "
+                                    "both; rename one",
+                                    known->second, path));
+            }
         }
 }
 
@@ -434,8 +436,6 @@ std::string Exporter::tab_text(const Tab& tab) {
     return head + named.text + entry_text(tab, reading);
 }
 
-constexpr std::array kBufferIds = {257, 258, 259, 260};
-
 // What the site would name a file. Our noise has no file; import reads its words back.
 std::string media_name(const Sampler& sampler) {
     if (sampler.source != Source::noise) return file_name(sampler);
@@ -449,13 +449,6 @@ std::string media_name(const Sampler& sampler) {
                        kChannels[static_cast<std::size_t>(sampler.noise_channels - 1)], lengths);
 }
 
-int output_id(const std::string& tab) {
-    if (tab == "image") return 37;
-    if (tab == "sound") return 38;
-    if (tab == "cubeA") return 41;
-    return kBufferIds[static_cast<std::size_t>(tab.back() - 'A')];
-}
-
 Json Exporter::input_json(const Sampler& sampler, int channel) const {
     const bool is_buffer = sampler.source == Source::buffer;
     const std::string tab = is_buffer ? tab_of(sampler).name : "";
@@ -466,18 +459,23 @@ Json Exporter::input_json(const Sampler& sampler, int channel) const {
                        : sampler.type == SamplerType::sampler3D           ? "volume"
                        : sampler.type == SamplerType::samplerCube         ? "cubemap"
                                                                           : "texture";
-    return {{"id", is_buffer                            ? output_id(tab)
-                   : sampler.source == Source::keyboard ? 33
-                                                        : 0},
-            {"src", media_name(sampler)},
-            {"ctype", kind},
-            {"channel", channel},
-            {"sampler",
-             {{"filter", kFilterNames.of(sampler.filter)},
-              {"wrap", sampler.wrap == Wrap::clamp ? "clamp" : "repeat"},
-              {"vflip", sampler.vflip ? "true" : "false"},
-              {"srgb", "false"},
-              {"internal", "byte"}}}};
+    Json input = {{"id", is_buffer                            ? output_id(tab)
+                         : sampler.source == Source::keyboard ? 33
+                                                              : 0},
+                  {"src", media_name(sampler)},
+                  {"ctype", kind},
+                  {"channel", channel},
+                  {"sampler",
+                   {{"filter", kFilterNames.of(sampler.filter)},
+                    {"wrap", sampler.wrap == Wrap::clamp ? "clamp" : "repeat"},
+                    {"vflip", sampler.vflip ? "true" : "false"},
+                    {"srgb", "false"},
+                    {"internal", "byte"}}}};
+    // The site names a cube once; an import finds six files by this.
+    if (sampler.files.size() > 1)
+        for (const fs::path& file : sampler.files)
+            input["faces"].push_back(file.filename().string());
+    return input;
 }
 
 Json Exporter::tab_json(const Tab& tab, const std::string& text) const {

@@ -24,13 +24,14 @@ namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
 struct KnownId {
-    std::string_view number, word, tab;
+    int number;
+    std::string_view word, tab;
 };
-constexpr std::array<KnownId, 5> kKnownIds = {{{"257", "4dXGR8", "bufferA"},
-                                               {"258", "XsXGR8", "bufferB"},
-                                               {"259", "4sXGR8", "bufferC"},
-                                               {"260", "XdfGR8", "bufferD"},
-                                               {"41", "4dX3Rr", "cubeA"}}};
+constexpr std::array<KnownId, 5> kKnownIds = {{{257, "4dXGR8", "bufferA"},
+                                               {258, "XsXGR8", "bufferB"},
+                                               {259, "4sXGR8", "bufferC"},
+                                               {260, "XdfGR8", "bufferD"},
+                                               {41, "4dX3Rr", "cubeA"}}};
 
 // Buffers that no picture reads are for nothing.
 bool draws_or_sounds(const Shadertoy& shader) {
@@ -63,7 +64,7 @@ std::string word(const Json& object, std::string_view key, std::string_view othe
 
 std::string known_tab(std::string_view id) {
     for (const KnownId& known : kKnownIds)
-        if (id == known.number || id == known.word) return std::string(known.tab);
+        if (id == fmt::to_string(known.number) || id == known.word) return std::string(known.tab);
     return {};
 }
 
@@ -106,6 +107,8 @@ ShadertoyInput read_input(const Json& json, const std::map<std::string, std::str
     input.channel = channel.size() == 1 ? channel[0] - '0' : -1;
     input.kind = in_small_letters(word(json, "ctype", "type"));
     input.file = word(json, "src", "filepath");
+    for (const Json& face : member(json, "faces"))
+        if (face.is_string()) input.faces.push_back(face.get<std::string>());
     const std::string id = word(json, "id");
     if (input.kind == "buffer" || input.kind == "cubemap") {
         const auto named = tab_of_id.find(id);
@@ -367,6 +370,11 @@ std::vector<Shadertoy> read_shadertoys(const fs::path& file, Diagnostics& diagno
     if (has_errors(diagnostics)) return {};
     for (Shadertoy& shader : shaders) sort_tabs(shader);
     return shaders;
+}
+
+int output_id(std::string_view tab) {
+    const auto* const known = std::ranges::find(kKnownIds, tab, &KnownId::tab);
+    return known != kKnownIds.end() ? known->number : tab == "image" ? 37 : 38;
 }
 
 bool is_within(const fs::path& file, const fs::path& folder) {

@@ -25,11 +25,12 @@ inline constexpr const char* kShadertoyFile = "shadertoy.json";
 
 // What one iChannel of a tab reads.
 struct ShadertoyInput {
-    int channel = 0;           // 0 to 3
-    std::string kind;          // "buffer", "texture", "cubemap", "volume", "keyboard", "music", …
-    std::string buffer;        // "bufferA" or "cubeA", where a tab fills it; empty otherwise
-    std::string file;          // "/media/a/08b42b….png" on the site
-    std::string filter, wrap;  // as the site spells them; empty: the default
+    int channel = 0;     // 0 to 3
+    std::string kind;    // "buffer", "texture", "cubemap", "volume", "keyboard", "music", …
+    std::string buffer;  // "bufferA" or "cubeA", where a tab fills it; empty otherwise
+    std::string file;    // "/media/a/08b42b….png" on the site
+    std::vector<std::string> faces{};  // of a cube of six files that we exported: all six
+    std::string filter, wrap;          // as the site spells them; empty: the default
     std::optional<bool> vflip;
     bool operator==(const ShadertoyInput&) const = default;
 };
@@ -52,6 +53,9 @@ std::vector<Shadertoy> read_shadertoys(const std::filesystem::path& json, Diagno
 
 // Whether a file stands below a folder, and no link on the way leads out of it. Neither need exist.
 bool is_within(const std::filesystem::path& file, const std::filesystem::path& folder);
+
+// What the site's exports call the output that a tab fills.
+int output_id(std::string_view tab);
 
 // Whether a folder holds a shader's tabs, in any spelling of their names.
 bool is_shadertoy_folder(const std::filesystem::path& folder);

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <regex>
 #include <system_error>
 
@@ -191,6 +192,8 @@ private:
     std::string with_includes_named(const std::string& code);
     std::string quoted(const fs::path& file) const;
     bool may_read(const fs::path& file);
+    std::optional<std::string> other_faces(const fs::path& first,
+                                           const std::vector<std::string>& names);
     std::string what_is_missing(const ShadertoyInput& input) const;
     bool is_alone(const ShadertoyTab& tab) const;
     void warn(const std::string& text) {
@@ -301,14 +304,14 @@ std::string Writer::what_is_missing(const ShadertoyInput& input) const {
     if (input.kind == "webcam") return "no camera is read here";
     if (input.kind == "mic") return "no microphone is read here";
     const Medium* medium = find_medium(input.file);
-    const std::string what = medium               ? std::string(medium->name)
+    const std::string what = !input.faces.empty() ? fmt::format("{}", fmt::join(input.faces, ", "))
+                             : medium             ? std::string(medium->name)
                              : input.file.empty() ? input.kind
                                                   : input.file;
-    return fmt::format("{} is {}", in_quotes(what),
+    return fmt::format("{}{} is {}", input.faces.empty() ? "" : "one of ", in_quotes(what),
                        leaves_ ? "outside this file's folder" : "not in this file");
 }
 
-// A stranger's file names only what came with it.
 // Whether an annotation can name it, between quotes and on one line.
 static bool can_be_quoted(const fs::path& file) {
     return std::ranges::none_of(file.string(), [](char c) {
@@ -316,6 +319,7 @@ static bool can_be_quoted(const fs::path& file) {
     });
 }
 
+// A stranger's file names only what came with it.
 bool Writer::may_read(const fs::path& file) {
     std::error_code error;
     if (!fs::is_regular_file(file, error)) return false;
@@ -329,6 +333,25 @@ std::string Writer::quoted(const fs::path& file) const {
     std::error_code error;
     const fs::path near = fs::proximate(file, folder_.empty() ? "." : folder_, error);
     return fmt::format("\"{}\"", near.generic_string());
+}
+
+// What stands behind a cube's first file: the other five, or nothing, where that one is the whole
+// cube. The site's are NAME.png, and NAME_1.png to NAME_5.png; our export names six, and none does
+// without the others.
+std::optional<std::string> Writer::other_faces(const fs::path& first,
+                                               const std::vector<std::string>& names) {
+    const bool named = names.size() == kCubeFaces;
+    std::string text;
+    for (std::size_t face = 1; face < kCubeFaces; ++face) {
+        const std::string name =
+            named ? fs::path(names[face]).filename().string()
+                  : fmt::format("{}_{}{}", first.stem().string(), face, first.extension().string());
+        const fs::path other = first.parent_path() / name;
+        if (!may_read(other) || !can_be_quoted(other))
+            return named ? std::nullopt : std::optional("");
+        text += " " + quoted(other);
+    }
+    return text;
 }
 
 // What reads this input from the files of its name beside the JSON, or under the site's own folders
@@ -347,15 +370,10 @@ std::string Writer::file_beside(const ShadertoyInput& input) {
          {from_.parent_path() / file, from_.parent_path() / file.filename()}) {
         if (!may_read(local) || !can_be_quoted(local)) continue;
         std::string text = source + (" " + quoted(local));
-        // The site's cubes are six files: NAME.png, and NAME_1.png to NAME_5.png.
-        std::string others;
-        for (int face = 1; input.kind == "cubemap" && face < 6; ++face) {
-            const fs::path other =
-                local.parent_path() /
-                fmt::format("{}_{}{}", local.stem().string(), face, local.extension().string());
-            if (!may_read(other)) break;
-            others += " " + quoted(other);
-            if (face == 5) text += others;
+        if (input.kind == "cubemap") {
+            const auto others = other_faces(local, input.faces);
+            if (!others) continue;
+            text += *others;
         }
         const bool usual = input.kind != "cubemap";
         if ((input.kind == "texture" || input.kind == "cubemap") &&

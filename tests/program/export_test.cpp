@@ -279,6 +279,31 @@ TEST_F(Export, FilesOfOneNameAreTold) {
     EXPECT_EQ(same.err.find("have one name"), std::string::npos) << same.err;
 }
 
+TEST_F(Export, ACubeOfSixFilesComesBackWithAllSix) {
+    std::string faces;
+    write("make.frag",
+          "uniform float grey; //@ 0 [0, 1]\n"
+          "void mainImage(out vec4 c, in vec2 p) { c = vec4(grey); }\n");
+    for (const char* side : {"px", "nx", "py", "ny", "pz", "nz"}) {
+        const std::string grey = fmt::format("grey=0.{}", faces.size() % 10);
+        const std::string file = std::string(side) + ".png";
+        ASSERT_EQ(glint({"still", "make.frag", "-o", file, "--size", "4x4", "--tweak", grey}).code,
+                  0);
+        faces += " " + file;
+    }
+    write("a.frag", "uniform samplerCube sky; //@ cube" + faces +
+                        "\nvoid mainImage(out vec4 c, in vec2 p) {\n"
+                        "    int side = int(p.x) % 6;\n    vec3 towards = vec3(0);\n"
+                        "    towards[side / 2] = side % 2 == 0 ? 1.0 : -1.0;\n"
+                        "    c = texture(sky, towards);\n}\n");
+    ASSERT_EQ(glint({"export", "a.frag", "-o", "."}).code, 0);
+    ASSERT_EQ(glint({"import", "shadertoy.json", "-o", "back.frag"}).code, 0);
+    EXPECT_EQ(draw("a.frag").pixels, draw("back.frag").pixels);
+    fs::remove(folder() / "ny.png");
+    const Outcome without = glint({"import", "shadertoy.json", "-o", "without.frag"});
+    EXPECT_NE(without.err.find("ny.png"), std::string::npos) << without.err;
+}
+
 TEST_F(Export, ACubeThatReadsABufferBelowItIsTold) {
     write("a.frag",
           "uniform samplerCube sky; //@ pass mainSky\nuniform sampler2D late; //@ pass mainLate\n"

@@ -2,6 +2,7 @@
 
 #include "base/median.h"
 #include "base/process_time.h"
+#include "measure/study/placement.h"
 #include "measure/study/statistics.h"
 #include "offline/common.h"
 #include "offline/input_files.h"
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <fstream>
 #include <thread>
+#include <utility>
 
 namespace glint {
 namespace {
@@ -67,16 +69,35 @@ void Played::keep(Reached reached) {
 
 MeasuredScene::MeasuredScene(const Preset& preset, const Setting& setting, Context& context,
                              const MeasureOptions& options)
-    : preset_(with(preset, setting)),
-      context_(context),
-      options_(options),
-      renderer_(preset_,
-                compile_or_stop(preset_, {.root = options.pass,
-                                          .program = {.specialise = options.specialise,
-                                                      .constants = options.constants}}),
-                {.size = preset_.size, .picture_format = PixelFormat::rgba32f}) {
-    load_inputs(preset_, renderer_);
-    renderer_.compile_ahead();
+    : preset_(with(preset, setting)), context_(context), options_(options) {
+    renderer_ = compile();
+    load_inputs(preset_, *renderer_);
+    renderer_->compile_ahead();
+}
+
+// Takes over the buffers of the one that is there.
+std::unique_ptr<Renderer> MeasuredScene::compile() const {
+    return std::make_unique<Renderer>(
+        preset_, compile_or_stop(preset_, {.root = options_.pass, .program = program_options()}),
+        RenderOptions{.size = preset_.size, .picture_format = PixelFormat::rgba32f},
+        renderer_.get());
+}
+
+void MeasuredScene::find_quick_place() {
+    if (!context_.is_software()) return;
+    turns_.reset();  // it draws by the program that is there now
+    std::unique_ptr<Renderer> aside;
+    glint::find_quick_place({.compile_again =
+                                 [&] {
+                                     aside = std::exchange(renderer_, compile());
+                                     renderer_->compile_ahead();
+                                 },
+                             .swap =
+                                 [&] {
+                                     aside->adopt(*renderer_);
+                                     std::swap(aside, renderer_);
+                                 },
+                             .frame_ms = [&] { return time_frame().processor; }});
 }
 
 Preset MeasuredScene::with(const Preset& preset, const Setting& setting) {
@@ -90,8 +111,8 @@ Preset MeasuredScene::with(const Preset& preset, const Setting& setting) {
 void MeasuredScene::set(const Setting& setting) {
     preset_.values = setting.values;
     preset_.settle = setting.settle;
-    renderer_.set_values(setting.values);
-    renderer_.reset();
+    renderer_->set_values(setting.values);
+    renderer_->reset();
     drawn_ = 0;
 }
 
@@ -123,11 +144,11 @@ std::string MeasuredScene::key_of_state() const {
 Frame MeasuredScene::play_on() {
     const Playback playback{.end = preset_.time};
     int ignored = 0, first = 0;
-    const bool is_shared = options_.played && renderer_.graph().stateful;
+    const bool is_shared = options_.played && renderer_->graph().stateful;
     const std::string key = is_shared ? key_of_state() : "";
     const int end = playback.last_frame(), last = end + preset_.settle;
     if (const auto* reached = is_shared ? options_.played->find(key, last) : nullptr) {
-        renderer_.set_state(reached->state);
+        renderer_->set_state(reached->state);
         first = reached->frames;
     }
     Frame frame;
@@ -135,19 +156,19 @@ Frame MeasuredScene::play_on() {
     for (const int share : {4, 2, 1}) {
         const int settle = (preset_.settle + 1) / share - 1;
         if (share > 1 && (!is_shared || settle < 1 || end + settle <= first)) continue;
-        frame = play(preset_, renderer_, playback, settle, ignored, first);
+        frame = play(preset_, *renderer_, playback, settle, ignored, first);
         if (!is_shared || end + settle <= first) continue;
         first = end + settle;
-        options_.played->keep({key, first, renderer_.state()});
+        options_.played->keep({key, first, renderer_->state()});
     }
     return frame;
 }
 
 std::vector<float> MeasuredScene::draw_picture() {
     last_ = play_on();
-    renderer_.draw(last_);
+    renderer_->draw(last_);
     context_.finish();
-    return renderer_.read_floats(options_.output);
+    return renderer_->read_floats(options_.output);
 }
 
 std::string MeasuredScene::cut_pass() {
@@ -156,10 +177,10 @@ std::string MeasuredScene::cut_pass() {
     const std::vector<PlacedFinding> findings = lint(preset_).findings;
     if (std::ranges::none_of(findings, is_of_long_loop)) return {};
     try {
-        if (!renderer_.graph().stateful) {
+        if (!renderer_->graph().stateful) {
             const std::uint32_t most = coarse().most_turns();
             if (most < kFewTurns) return {};
-            if (differs_alone(preset_, renderer_, program_options(), last_))
+            if (differs_alone(preset_, *renderer_, program_options(), last_))
                 return pass_name(preset_.scene, options_.pass);
             if (most < kMany) return {};
         }
@@ -191,21 +212,21 @@ MeasuredScene& MeasuredScene::coarse() {
 // In any pixel of the last picture. Throws ProbeRefused.
 std::uint32_t MeasuredScene::most_turns() {
     if (!turns_) {
-        turns_ = std::make_unique<LoopTurns>(preset_, renderer_, program_options());
+        turns_ = std::make_unique<LoopTurns>(preset_, *renderer_, program_options());
     }
     turns_->forget();
-    turns_->count(last_, [&] { renderer_.draw(last_); });
+    turns_->count(last_, [&] { renderer_->draw(last_); });
     return turns_->most();
 }
 
 FrameTime MeasuredScene::time_frame() {
     TimerQuery query;
     const Frame frame = next_frame();
-    renderer_.redraw();
+    renderer_->redraw();
     const double processor_before = own_processor_ms();
     const Stopwatch clock;
     query.begin();
-    renderer_.draw(frame);
+    renderer_->draw(frame);
     query.end();
     context_.finish();
     const double wall = clock.ms(), processor = own_processor_ms() - processor_before;
@@ -216,13 +237,13 @@ FrameTime MeasuredScene::time_frame() {
 double MeasuredScene::time_all_passes() {
     std::vector<double> ms;
     for (int i = 0; i < kAllPasses; ++i) {
-        renderer_.reset();
+        renderer_->reset();
         context_.finish();
         // A simulation would otherwise be caught up from its start.
         Frame frame = next_frame();
         frame.longest_catch_up = 1.0 / 60;
         const Stopwatch clock;
-        renderer_.draw(frame);
+        renderer_->draw(frame);
         context_.finish();
         ms.push_back(clock.ms());
     }

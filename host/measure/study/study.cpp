@@ -284,6 +284,7 @@ void time_rows(const Scenery& scenery, const Knob& knob, Study& study, Scenes& s
         for (std::size_t k = 0; k < rows.size(); ++k) all.rows[rows[k]] = rounds.rows[k];
         take(study, all);
     };
+    for (const std::size_t row : rows) scenes[row]->find_quick_place();
     const Rounds rounds = time_rounds(
         rows.size(), [&](std::size_t k) { return scenes[rows[k]]->time_frame(); }, options,
         [&](const Rounds& sofar) {
