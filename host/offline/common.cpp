@@ -17,6 +17,7 @@
 #include <csignal>
 #include <cstring>
 #include <limits>
+#include <set>
 
 namespace glint {
 namespace {
@@ -96,12 +97,20 @@ void Progress::update(long done) {
         left / 60, left % 60);
 }
 
+static bool is_hushed = false;
+
+void hush_reports() {
+    is_hushed = true;
+}
+
 void report(const Diagnostics& diagnostics) {
     constexpr std::size_t kMostSaid = 100;
+    static std::set<std::string> known;  // a text is compiled in many forms, and says it in each
     bool missing = false;
     std::size_t said = 0;
     for (const Diagnostic& diagnostic : diagnostics) {
-        if (++said <= kMostSaid) say_diagnostic(diagnostic);
+        if (!is_hushed && known.insert(to_string(diagnostic)).second && ++said <= kMostSaid)
+            say_diagnostic(diagnostic);
         // No shader is at fault where a preset cannot be read.
         const bool unreadable =
             diagnostic.missing_file || ending_of(diagnostic.place.file) == ".toml";
@@ -211,14 +220,10 @@ void end_compiling(const Preset& preset, std::size_t pass, const std::string& wh
 
 }  // namespace
 
-CompiledScene compile_or_stop(const Preset& preset, CompileOptions options, Diagnostics* told) {
+CompiledScene compile_or_stop(const Preset& preset, CompileOptions options) {
     options.side_by_side = true;
     CompileResult result = compile_scene(preset, options, nullptr, end_compiling);
-    Diagnostics all = told ? *told : Diagnostics();
-    const auto known = static_cast<std::ptrdiff_t>(all.size());
-    append_once(all, result.diagnostics);
-    report({all.begin() + known, all.end()});
-    if (told) *told = std::move(all);
+    report(result.diagnostics);
     if (!result.scene) throw Stop(ExitCode::shader);
     return std::move(*result.scene);
 }

@@ -75,8 +75,11 @@ private:
     Stopwatch since_start_, since_last_;
 };
 
-// Prints diagnostics to stderr; throws Stop with exit code 3 or 4 when there are errors.
+// Prints diagnostics to stderr, each once in the life of the process; throws Stop with exit code 3
+// or 4 when there are errors.
 void report(const Diagnostics& diagnostics);
+// From now on it prints none: another process of the same call has.
+void hush_reports();
 
 // Lays the options' size and tweaks over a preset; returns a sentence on each value that was beyond
 // its range. Throws UsageError.
@@ -103,9 +106,8 @@ std::size_t find_pass(const Scene& scene, const std::string& name, bool or_sound
 Diagnostic given_up(const Preset& preset, std::size_t pass, const std::string& why);
 
 // Links what `options` asks for. Throws Stop with exit code 3. Ends the process with it where the
-// driver would never finish, be it at the first draw. What is told already is not told again.
-CompiledScene compile_or_stop(const Preset& preset, CompileOptions options,
-                              Diagnostics* told = nullptr);
+// driver would never finish, be it at the first draw.
+CompiledScene compile_or_stop(const Preset& preset, CompileOptions options);
 
 // What a picture's file tells of where it comes from. File names only: the same scene gives the
 // same bytes in every folder.

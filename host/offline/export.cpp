@@ -48,8 +48,7 @@ public:
             throw UsageError(
                 "The site takes no text with a main() of its own. Write void mainImage(out vec4 "
                 "fragColor, in vec2 fragCoord), and these two for gl_FragColor and gl_FragCoord.");
-        if (scene_.has_sound)
-            sound_ = compile_or_stop(preset, {.root = kSoundPass, .program = {}}, &told_);
+        if (scene_.has_sound) sound_ = compile_or_stop(preset, {.root = kSoundPass, .program = {}});
         compile_told_of();
         find_tabs();
     }
@@ -58,7 +57,7 @@ public:
 
 private:
     void compile(std::size_t pass) {
-        pictures_.push_back(compile_or_stop(preset_, {.root = pass, .program = {}}, &told_));
+        pictures_.push_back(compile_or_stop(preset_, {.root = pass, .program = {}}));
     }
     void compile_told_of();
     std::array<bool, 4> channels_named(std::size_t pass) const;
@@ -94,7 +93,6 @@ private:
     const Scene& scene_;
     std::vector<CompiledScene> pictures_;  // the image's, and those of compile_told_of()
     std::optional<CompiledScene> sound_;
-    Diagnostics told_;
     std::vector<Tab> tabs_;
 };
 

@@ -368,10 +368,8 @@ void run_info(const InfoOptions& options, const Stopwatch&) {
         return;
     }
     const auto context = make_egl_context(options.view.device);
-    Diagnostics told;  // by one form, and not again by the other
     const auto compiled = [&](std::size_t root, bool specialise) {
-        return compile_or_stop(preset, {.root = root, .program = {.specialise = specialise}},
-                               &told);
+        return compile_or_stop(preset, {.root = root, .program = {.specialise = specialise}});
     };
     Inspection seen{.preset = preset,
                     .uniform_fed = compiled(kImagePass, false),

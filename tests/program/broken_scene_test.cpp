@@ -281,5 +281,24 @@ TEST_F(BrokenScene, AFileThatMayNotBeReadIsMissing) {
     expect_refused("no permission", 4, "scene.frag: error: cannot read 'scene.frag'");
 }
 
+// A study draws a text in as many forms as a tweak has values, a check in several processes.
+TEST_F(BrokenScene, WhatAShaderIsWarnedOfIsSaidOnceInACall) {
+    write("empty.frag",
+          "uniform float k; //@ 0.5 [0, 1] quality\n"
+          "void mainImage(out vec4 c, in vec2 p) {\n"
+          "    c = k * texture(iChannel0, p / iResolution.xy);\n}\n");
+    for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
+             {"study", "empty.frag", "--size", "16x9", "--seconds", "0"},
+             {"study", "empty.frag", "empty.frag", "--size", "16x9", "--seconds", "0"},
+             {"check", "empty.frag", "--case", "tweak"},
+             {"bench", "empty.frag", "--size", "16x9", "--frames", "2", "--compare"},
+             {"export", "empty.frag", "-o", "out"}}) {
+        const std::string said = glint(words).err, warning = "nothing fills iChannel0";
+        const std::size_t first = said.find(warning);
+        ASSERT_NE(first, std::string::npos) << words[0] << "\n" << said;
+        EXPECT_EQ(said.find(warning, first + 1), std::string::npos) << words[0] << "\n" << said;
+    }
+}
+
 }  // namespace
 }  // namespace glint::cli::broken_scene_test

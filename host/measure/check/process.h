@@ -30,7 +30,7 @@ struct FileCheck {
     // before.
     bool scene_is_known = false;
     double hang_seconds = 60.0;  // how long one frame may take
-    bool is_told = false;        // what reading it warns of, by another process
+    bool is_told = false;        // what it warns of, by another process
 };
 
 // `progress` hears what is known so far, and how many cases there are. Call before this process has
