@@ -143,6 +143,44 @@ TEST_F(CheckGrowth, ThatALimitHoldsIsFoundInStepsLongerThanAFrameAndRoundWhatMov
     EXPECT_TRUE(verdict("k=150 for long", 0).starts_with("pass"));
 }
 
+// Explicit diffusion is stable up to a quarter, waves up to a half (von Neumann's condition);
+// beyond, neighbours overshoot each other. Cells, clocks and filters that do so by their rules are
+// no scheme.
+TEST_F(CheckGrowth, ThatALimitHoldsIsFoundThoughTheTextKnowsNoLengths) {
+    const auto said = [&](const std::string& rule, int code) {
+        write("s.frag",
+              "uniform float tint; //@ 0.5 [0, 1]\n"
+              "uniform sampler2D s; //@ pass mainS size=32x32 filter=nearest\n"
+              "float at(ivec2 i) { return texelFetch(s, i & 31, 0).x; }\n"
+              "void mainS(out vec4 c, in vec2 p) {\n"
+              "    ivec2 i = ivec2(p);\n    vec4 u = texelFetch(s, i, 0);\n"
+              "    float n = at(i + ivec2(1, 0)) + at(i - ivec2(1, 0))\n"
+              "            + at(i + ivec2(0, 1)) + at(i - ivec2(0, 1));\n"
+              "    float all = n + at(i + 1) + at(i - 1) + at(i + ivec2(1, -1))\n"
+              "              + at(i + ivec2(-1, 1));\n"
+              "    float chance = fract(float((i.x * 73 + i.y * 151) % 509) * 0.618);\n"
+              "    if (iFrame == 0) { c = vec4(chance < 0.4, 0, 0, 1); return; }\n    " +
+                  rule +
+                  "\n    c = vec4(u.xy, 0, 1);\n}\n"
+                  "void mainImage(out vec4 c, in vec2 p) {\n"
+                  "    c = vec4(tint * texelFetch(s, ivec2(p) & 31, 0).xxx, 1);\n}\n");
+        return verdict("long run", code);
+    };
+    for (const std::string rule :
+         {"u.x = clamp(u.x + 0.3 * (n - 4.0 * u.x), 0.0, 1.0);",
+          "u.y = clamp(u.y + 0.6 * (n - 4.0 * u.x), -1.0, 1.0); u.x = clamp(u.x + u.y, 0.0, 1.0);",
+          "u.y += 0.6 * (n - 4.0 * u.x); u.xy = tanh(vec2(u.x + u.y, u.y));"})
+        EXPECT_NE(said(rule, 6).find("though a limit hides it"), std::string::npos) << rule;
+    for (const std::string rule :
+         {"u.x = clamp(u.x + 0.24 * (n - 4.0 * u.x), 0.0, 1.0);",
+          "u.y = clamp(u.y + 0.4 * (n - 4.0 * u.x), -1.0, 1.0); u.x = clamp(u.x + u.y, 0.0, 1.0);",
+          "u.x = float(all == 3.0 || (all == 2.0 && u.x == 1.0));",
+          "u.x = float((i.x + i.y + iFrame) & 1);", "u.x = 1.0 - u.x;",
+          "u.x = clamp(1.0 - 0.25 * n, 0.0, 1.0);", "u.x = n > 2.5 ? 0.0 : n < 1.5 ? 1.0 : u.x;",
+          "u.x = clamp(u.x + 0.6 * (u.x - all / 8.0), 0.0, 1.0);"})
+        EXPECT_TRUE(said(rule, 0).starts_with("pass")) << rule << "\n" << said(rule, 0);
+}
+
 TEST_F(CheckGrowth, WhatIsMendedWithWhereItGoesIsHealed) {
     simulate(
         "if (!(x.x >= 0.0 && x.x <= 4.0)) x = vec4(0.6); if (iFrame == 0) x = vec4(0);\n"

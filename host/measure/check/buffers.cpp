@@ -139,17 +139,23 @@ void exchange(const CheckSubject& subject, std::size_t index, const std::vector<
     }
 }
 
+void put_values(const CheckSubject& subject, std::size_t index, std::size_t output,
+                const std::vector<float>& values) {
+    const Buffer& buffer = subject.renderer().buffer(index);
+    const glm::ivec2 size = buffer.shape().size;
+    const GLuint texture = buffer.texture(output);
+    glTextureSubImage2D(texture, 0, 0, 0, size.x, size.y, GL_RGBA, GL_FLOAT, values.data());
+    if (buffer.shape().mipmaps) make_mipmaps(texture);
+}
+
 void change_values(const CheckSubject& subject, std::size_t index, float (*changed)(float)) {
     const Buffer& buffer = subject.renderer().buffer(index);
     if (buffer.shape().cube) return;
-    const glm::ivec2 size = buffer.shape().size;
     for (std::size_t output = 0; output < static_cast<std::size_t>(buffer.shape().outputs);
          ++output) {
         std::vector<float> values = subject.renderer().read_buffer(index, output);
         std::ranges::transform(values, values.begin(), changed);
-        const GLuint texture = buffer.texture(output);
-        glTextureSubImage2D(texture, 0, 0, 0, size.x, size.y, GL_RGBA, GL_FLOAT, values.data());
-        if (buffer.shape().mipmaps) make_mipmaps(texture);
+        put_values(subject, index, output, values);
     }
 }
 

@@ -80,20 +80,32 @@ auto by_finer_steps(CheckSubject& subject, int finer, Play play) {
     return said;
 }
 
+// What knows no lengths does the same by finer steps, only sooner: cells have come to rest, or not.
+bool knows_steps(const CheckSubject& subject) {
+    const auto& passes = subject.renderer().graph().passes;
+    for (std::size_t i = 0; i < passes.size(); ++i)
+        if (subject.is_fed_back(i) && subject.knows_step(passes[i].pass)) return true;
+    return false;
+}
+
 // Whether the step is unstable, and a limit hides it: the state goes to and fro from step to step,
-// and does not with a half or an eighth of each, or far beyond `usual`, whatever lengths a text
-// gives its steps itself. The subject stands somewhere else afterwards.
+// and does not with a half or an eighth of each; or, whatever lengths a text gives its steps
+// itself, far beyond `usual`, or as a chessboard that grows. The subject stands somewhere else
+// afterwards.
 bool chatters_by_steps(const Check& check, const StateCurves& curves, float usual) {
     CheckSubject& subject = check.subject;
     const double rate = steps_a_second(subject);
     const double played = static_cast<double>(curves.frames()) / 60.0;
-    if (!goes_to_and_fro(subject, static_cast<int>(played * rate), rate)) return false;
+    const int first = static_cast<int>(played * rate);
+    if (!goes_to_and_fro(subject, first, rate)) return false;
+    if (grows_to_a_chessboard(subject, first + kTurns, rate)) return true;
     const auto still = [&](double often) {
         const int frames = static_cast<int>(kHalfPlayed * often);
         return subject.play_frames(0, frames, often) && goes_to_and_fro(subject, frames, often);
     };
-    return !by_finer_steps(subject, 2, still) || !by_finer_steps(subject, 8, still) ||
-           curves.stands_beyond(usual);
+    if (curves.stands_beyond(usual)) return true;
+    return knows_steps(subject) &&
+           (!by_finer_steps(subject, 2, still) || !by_finer_steps(subject, 8, still));
 }
 
 // Whether it grows large at once, by the length of its steps alone: a guard that takes what is too
@@ -102,6 +114,7 @@ bool chatters_by_steps(const Check& check, const StateCurves& curves, float usua
 bool grows_by_steps(const Check& check, const StateCurves& curves) {
     constexpr double kShare = 0.05;                                     // of the seconds
     if (curves.largest() < kFar || !curves.multiplies()) return false;  // an event leaps
+    if (!knows_steps(check.subject)) return false;
     const CaseClock clock(check);
     const auto stays_small = [&](double often) {
         const int frames = static_cast<int>(static_cast<double>(curves.frames()) / 60.0 * often);
@@ -115,6 +128,15 @@ bool grows_by_steps(const Check& check, const StateCurves& curves) {
     return by_finer_steps(check.subject, 2, stays_small) ||
            by_finer_steps(check.subject, 8, stays_small);
 }
+
+}  // namespace
+
+std::string what_hides(const Check& check, const StateCurves& curves, float usual) {
+    if (chatters_by_steps(check, curves, usual)) return kHiddenByALimit;
+    return grows_by_steps(check, curves) ? kHiddenByAGuard : "";
+}
+
+namespace {
 
 bool is_far(const StateCurves& curves, float usual) {
     return curves.largest() > std::max(kFar, kFar * usual);
@@ -142,8 +164,7 @@ std::string why_not(const Check& check, StateCurves& curves, Invariants& invaria
     if (growth.empty()) growth = curves.growth(seen / 3);  // what it begins with has faded then
     const int confirmed = std::max(kConfirmed, check.effort.frames.value_or(0));
     if (growth.empty() && invariants.broken().empty()) {
-        if (chatters_by_steps(check, curves, usual)) return kHiddenByALimit;
-        return grows_by_steps(check, curves) ? kHiddenByAGuard : "";
+        return what_hides(check, curves, usual);
     }
     if (growth.empty() || !play_curves(check, confirmed, curves, invariants, kConfirmingShare))
         return invariants.broken();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "measure/check/case.h"
+#include "measure/check/drift.h"
 
 #include <string>
 
@@ -15,5 +16,10 @@ float usual_largest(Check& check);
 // explodes beside `usual`, or breaks a promise. "" where nothing is, or where something is not
 // finite, which the subject has then seen.
 std::string why_not_for_long(Check& check, float usual);
+
+// After what these curves show, which neither grew nor exploded: whether the step is unstable all
+// the same, and what hides it; "" for no. `usual`: as above. The subject stands somewhere else
+// afterwards.
+std::string what_hides(const Check& check, const StateCurves& curves, float usual);
 
 }  // namespace glint

@@ -18,6 +18,10 @@ void poison(const Buffer& buffer, glm::ivec2 texel, float value);
 void exchange(const CheckSubject& subject, std::size_t index, const std::vector<glm::ivec2>& texels,
               int round, int times);
 
+// Fills one output of a buffer that is no cube: RGBA, rows bottom up.
+void put_values(const CheckSubject& subject, std::size_t index, std::size_t output,
+                const std::vector<float>& values);
+
 // Puts what this makes of each value into a buffer that is no cube.
 void change_values(const CheckSubject& subject, std::size_t index, float (*changed)(float));
 

@@ -2,6 +2,7 @@
 #include "measure/check/budget.h"
 #include "measure/check/case.h"
 #include "measure/check/drift.h"
+#include "measure/check/endure.h"
 #include "measure/check/invariants.h"
 #include "measure/rows/difference.h"
 
@@ -31,6 +32,7 @@ constexpr double kMostTilesOff = 0.02;  // root mean square, in display values
 constexpr glm::ivec2 kTiles(8, 5);
 constexpr int kLongMoments = 240;
 constexpr double kLongSpan = 600.0;  // s
+constexpr int kShownHidden = 120;    // frames, after which a picture shows what a limit hides
 constexpr float kGrowth = 20.0f;     // from the first quarter of a long run to its last
 
 struct FrameTime {
@@ -308,6 +310,10 @@ void run_long(Check& check, CaseResult& result) {
                         first, quarter, last));
     } else if (!growth.empty()) {
         result.fail(growth);
+    } else if (const std::string why = what_hides(check, curves, curves.largest()); !why.empty()) {
+        subject.restore();
+        subject.play_frames(0, kShownHidden, 60.0);
+        result.fail(why);
     }
 }
 

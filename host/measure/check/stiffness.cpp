@@ -159,11 +159,8 @@ public:
 
     // Whether any of it can know how long a step is.
     bool knows_length() const {
-        constexpr Builtin kTold[] = {Builtin::time_delta, Builtin::frame_rate, Builtin::time};
-        return std::ranges::any_of(passes_, [&](std::size_t pass) {
-            return std::ranges::any_of(
-                kTold, [&](Builtin builtin) { return subject_.reads(builtin, pass); });
-        });
+        return std::ranges::any_of(passes_,
+                                   [&](std::size_t pass) { return subject_.knows_step(pass); });
     }
 
 private:

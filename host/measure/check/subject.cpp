@@ -168,6 +168,11 @@ bool CheckSubject::reads(Builtin builtin, std::optional<std::size_t> pass) const
     });
 }
 
+bool CheckSubject::knows_step(std::size_t pass) const {
+    constexpr Builtin kTold[] = {Builtin::time_delta, Builtin::frame_rate, Builtin::time};
+    return std::ranges::any_of(kTold, [&](Builtin builtin) { return reads(builtin, pass); });
+}
+
 bool CheckSubject::is_fed_back(std::size_t graph_index) const {
     const auto& passes = renderer_->graph().passes;
     const std::size_t pass = passes[graph_index].pass;

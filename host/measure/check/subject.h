@@ -89,6 +89,8 @@ public:
     bool moves() const;
     // Any pass, or this one.
     bool reads(Builtin builtin, std::optional<std::size_t> pass = {}) const;
+    // Whether this pass can know how long a step, or a frame, is.
+    bool knows_step(std::size_t pass) const;
     // Whether a frame finds in this buffer what an earlier one left, not only what itself drew.
     bool is_fed_back(std::size_t graph_index) const;
     // The largest finite magnitude in what is fed back.
