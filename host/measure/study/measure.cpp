@@ -84,7 +84,7 @@ std::unique_ptr<Renderer> MeasuredScene::compile() const {
 }
 
 void MeasuredScene::find_quick_place() {
-    if (!context_.is_software()) return;
+    if (!context_.is_software() || std::exchange(stands_well_, true)) return;
     turns_.reset();  // it draws by the program that is there now
     std::unique_ptr<Renderer> aside;
     glint::find_quick_place({.compile_again =

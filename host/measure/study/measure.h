@@ -73,7 +73,8 @@ public:
     // Another setting, where tweaks are no constants; everything begins anew.
     void set(const Setting& setting);
 
-    // Before it is timed beside others: none is slow for where its program happens to stand.
+    // Before it is timed beside others: none is slow for where its program happens to stand. Once
+    // is enough; it does nothing then.
     void find_quick_place();
 
     // One frame more, 1/60 s later; of a scene that settles, with time held, and as long as all its
@@ -102,6 +103,7 @@ private:
     std::unique_ptr<MeasuredScene> coarse_;
     std::unique_ptr<LoopTurns> turns_;
     int drawn_ = 0;
+    bool stands_well_ = false;
 };
 
 // Of this pass, or of the picture. Throws UsageError for a cube, which has no plane to compare.

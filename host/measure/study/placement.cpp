@@ -1,6 +1,7 @@
 #include "measure/study/placement.h"
 
 #include "base/median.h"
+#include "base/stopwatch.h"
 
 #include <cmath>
 #include <vector>
@@ -8,10 +9,11 @@
 namespace glint {
 namespace {
 
-constexpr int kLeast = 2;           // compiled again, for slow places may be alike
-constexpr int kMostPlaces = 5;      // more, where a machine wavers, would tell no more
-constexpr int kTurns = 3;           // frames of each of two places
-constexpr double kSamePace = 0.02;  // less than a slow place takes more
+constexpr int kLeast = 2;              // compiled again, for slow places may be alike
+constexpr int kMostPlaces = 5;         // more, where a machine wavers, would tell no more
+constexpr double kMostSeconds = 10.0;  // a text may take a minute to compile
+constexpr int kTurns = 3;              // frames of each of two places
+constexpr double kSamePace = 0.02;     // less than a slow place takes more
 
 // What a frame of the one that draws takes of one of the other's. It draws again afterwards.
 double share_of_other(const Placement& placement) {
@@ -29,9 +31,13 @@ double share_of_other(const Placement& placement) {
 }  // namespace
 
 int find_quick_place(const Placement& placement) {
+    const Stopwatch clock;
     int tried = 0;
-    for (bool has_its_like = false; tried < kMostPlaces - 1 && !(has_its_like && tried >= kLeast);
-         ++tried) {
+    const auto is_enough = [&](bool has_its_like) {
+        return tried == kMostPlaces - 1 || (has_its_like && tried >= kLeast) ||
+               clock.seconds() > kMostSeconds;
+    };
+    for (bool has_its_like = false; !is_enough(has_its_like); ++tried) {
         placement.compile_again();
         const double off = std::log(share_of_other(placement));
         if (off < -kSamePace) has_its_like = false;
