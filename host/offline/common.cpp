@@ -97,10 +97,10 @@ void Progress::update(long done) {
         left / 60, left % 60);
 }
 
-static bool is_hushed = false;
+static bool are_warnings_hushed = false;
 
-void hush_reports() {
-    is_hushed = true;
+void hush_warnings() {
+    are_warnings_hushed = true;
 }
 
 void report(const Diagnostics& diagnostics) {
@@ -109,6 +109,7 @@ void report(const Diagnostics& diagnostics) {
     bool missing = false;
     std::size_t said = 0;
     for (const Diagnostic& diagnostic : diagnostics) {
+        const bool is_hushed = are_warnings_hushed && diagnostic.severity == Severity::warning;
         if (!is_hushed && known.insert(to_string(diagnostic)).second && ++said <= kMostSaid)
             say_diagnostic(diagnostic);
         // No shader is at fault where a preset cannot be read.

@@ -78,8 +78,8 @@ private:
 // Prints diagnostics to stderr, each once in the life of the process; throws Stop with exit code 3
 // or 4 when there are errors.
 void report(const Diagnostics& diagnostics);
-// From now on it prints none: another process of the same call has.
-void hush_reports();
+// From now on it prints no warnings: another process of the same call has.
+void hush_warnings();
 
 // Lays the options' size and tweaks over a preset; returns a sentence on each value that was beyond
 // its range. Throws UsageError.

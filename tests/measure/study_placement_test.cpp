@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <random>
+#include <utility>
 #include <vector>
 
 namespace glint::study_placement_test {

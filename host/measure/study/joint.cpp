@@ -221,10 +221,10 @@ private:
         if (auto kept = caller_.find(knob_, value)) return *kept;
         MeasuredScene& turned = scene(value.setting);
         DrawnPicture drawn{.rgba = turned.draw_picture()};
-        const double begun = spent_ms();
-        drawn.cut_pass = turned.cut_pass();
-        caller_.keep(knob_, value, drawn);
-        aside_ms_ += spent_ms() - begun;
+        aside([&] {
+            drawn.cut_pass = turned.cut_pass();
+            caller_.keep(knob_, value, drawn);
+        });
         return drawn;
     }
 
@@ -317,9 +317,7 @@ private:
         for (const std::size_t menu : how_.constants) menus.push_back(wanted.values[menu][0]);
         auto& kept = scenes_[menus];
         if (!kept) {
-            const double begun = spent_ms();
-            kept = std::make_unique<MeasuredScene>(preset_, wanted, context_, how_);
-            aside_ms_ += spent_ms() - begun;
+            aside([&] { kept = std::make_unique<MeasuredScene>(preset_, wanted, context_, how_); });
             if (scenes_.size() > kKept)
                 scenes_.erase(scenes_.begin()->first == menus ? std::prev(scenes_.end())
                                                               : scenes_.begin());
@@ -337,6 +335,14 @@ private:
         return all - aside_ms_;
     }
 
+    // Does what is no part of that.
+    template <typename Work>
+    void aside(Work work) {
+        const double begun = spent_ms();
+        work();
+        aside_ms_ += spent_ms() - begun;
+    }
+
     double time(const FrameTime& frame) const {
         return context_.is_software() ? frame.processor : frame.wall;
     }
@@ -345,7 +351,7 @@ private:
     void start() {
         base_ = std::make_unique<MeasuredScene>(preset_, setting(own()), context_, how_);
         base_->draw_picture();
-        base_->find_quick_place();
+        aside([&] { base_->find_quick_place(); });
         const Rounds rounds = time_rounds(1, [&](std::size_t) { return base_->time_frame(); },
                                           {.seconds = 0.0, .on_software = context_.is_software()});
         const Clock clock = best_clock(rounds.rows, context_.is_software());
@@ -357,9 +363,7 @@ private:
     Tried measure(const Stand& at) {
         MeasuredScene& tried = scene(setting(at));
         const std::vector<float> picture = tried.draw_picture();
-        const double begun = spent_ms();
-        tried.find_quick_place();
-        aside_ms_ += spent_ms() - begun;
+        aside([&] { tried.find_quick_place(); });
         Difference off = difference(picture, truth_, values_);
         if (limit_.of == Limit::Of::flip || !limit_.number)
             off.flip =

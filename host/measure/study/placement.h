@@ -16,8 +16,8 @@ struct Placement {
 // On a software renderer the same program, compiled anew, takes 4 to 20 % longer in about one of
 // eight places, for as long as it stays there, so that whoever compares two programs of one place
 // each compares the places, too (Mytkowicz, Diwan, Hauswirth, Sweeney, "Producing Wrong Data
-// Without Doing Anything Obviously Wrong!", 2009). Compiles again until two are alike, and leaves
-// the quickest. Returns how often it did.
+// Without Doing Anything Obviously Wrong!", 2009). Compiles again, twice at the least, until the
+// quickest place has its like, and leaves the quickest. Returns how often it did.
 int find_quick_place(const Placement& placement);
 
 }  // namespace glint
